@@ -1,0 +1,130 @@
+#include "common/scene/effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "common/base/wording.h"
+#include "common/scene/scene.h"
+
+namespace twintrace {
+
+namespace {
+
+bool anyPositive(const glm::vec3& color) {
+  return color.x > 0 || color.y > 0 || color.z > 0;
+}
+
+Effect effectOf(const SphereShape&) {
+  return Effect::sphere;
+}
+Effect effectOf(const BoxShape& box) {
+  return box.rotation ? Effect::orientedBox : Effect::box;
+}
+Effect effectOf(const PlaneShape&) {
+  return Effect::plane;
+}
+Effect effectOf(const PointLight&) {
+  return Effect::pointLight;
+}
+Effect effectOf(const SphereLight&) {
+  return Effect::sphereLight;
+}
+Effect effectOf(const SunLight&) {
+  return Effect::sunLight;
+}
+
+void addSpecular(const Material& material, EffectSet& effects) {
+  if (!anyPositive(material.specular)) return;
+  if (material.roughness == 0) {
+    effects.set(Effect::mirror, true);
+  } else {
+    effects.set(material.lobe == Lobe::ggx ? Effect::ggx : Effect::phong, true);
+  }
+}
+
+void addMaterial(const Material& material, EffectSet& effects) {
+  if (anyPositive(material.emission)) effects.set(Effect::emission, true);
+  if (anyPositive(material.albedo)) effects.set(Effect::diffuse, true);
+  addSpecular(material, effects);
+}
+
+void addObjects(const Scene& scene, EffectSet& effects) {
+  for (const Object& object : scene.objects) {
+    effects.set(std::visit([](const auto& shape) { return effectOf(shape); }, object.shape), true);
+    addMaterial(scene.materials.at(static_cast<std::size_t>(object.material)), effects);
+  }
+}
+
+void addLights(const Scene& scene, EffectSet& effects) {
+  for (const Light& light : scene.lights) {
+    effects.set(std::visit([](const auto& kind) { return effectOf(kind); }, light), true);
+  }
+}
+
+bool followsPaths(Integrator integrator) {
+  return integrator != Integrator::local;
+}
+
+void applyForced(const Scene& scene, EffectSet& effects) {
+  for (const auto& [name, on] : scene.forcedEffects) {
+    const std::optional<Effect> effect = effectFromName(name);
+    if (!effect) throw UsageError("found effect " + quote(name) + ", expected a known effect");
+    effects.set(*effect, on);
+  }
+}
+
+/// Every branch compiled in, save those that the scene forbids: compiling them in would change the
+/// picture and not only its cost.
+EffectSet allAllowed(const Scene& scene) {
+  EffectSet effects = EffectSet::all();
+  applyForced(scene, effects);
+  return effects;
+}
+
+}  // namespace
+
+std::optional<Effect> effectFromName(std::string_view name) {
+  const auto found = std::find(kEffectNames.begin(), kEffectNames.end(), name);
+  if (found == kEffectNames.end()) return std::nullopt;
+  return static_cast<Effect>(found - kEffectNames.begin());
+}
+
+EffectSet effectsFromList(std::string_view list) {
+  const std::vector<std::string> known(kEffectNames.begin(), kEffectNames.end());
+  EffectSet effects;
+  while (true) {
+    const std::size_t comma = list.find(',');
+    const std::string_view name = list.substr(0, comma);
+    const std::optional<Effect> effect = effectFromName(name);
+    if (!effect) {
+      throw UsageError(
+          fmt::format("found effect {}, expected auto, all or a comma-separated list of {}{}",
+                      quote(name), oneOf(known), didYouMean(name, known)));
+    }
+    effects.set(*effect, true);
+    if (comma == std::string_view::npos) return effects;
+    list.remove_prefix(comma + 1);
+  }
+}
+
+EffectSet neededEffects(const Scene& scene, const RenderOptions& options) {
+  EffectSet effects;
+  addObjects(scene, effects);
+  addLights(scene, effects);
+  effects.set(Effect::environmentImage, !scene.environment.image.empty());
+  effects.set(Effect::lens, scene.camera.aperture > 0);
+  effects.set(Effect::indirect, followsPaths(options.integrator) && options.bounces > 1);
+  applyForced(scene, effects);
+  return effects;
+}
+
+EffectSet chosenEffects(const Scene& scene, const RenderOptions& options) {
+  if (options.effects == "auto") return neededEffects(scene, options);
+  if (options.effects == "all") return allAllowed(scene);
+  return effectsFromList(options.effects);
+}
+
+}  // namespace twintrace

@@ -1,0 +1,265 @@
+#include "common/scene/read_content.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+
+#include "common/base/wording.h"
+
+namespace twintrace {
+
+namespace {
+
+namespace layout {
+#include "shaders/shared/layout.glsl"
+}
+
+/// Slack of a sum that was authored as 1: both colours are rounded to float, each by at most 2^-25
+/// since it is below 1.
+constexpr double kSumSlack = 1.0 / (1 << 24);
+
+void checkEnergy(TableReader& table, const Material& material) {
+  constexpr std::array<std::string_view, 3> kChannels = {"red", "green", "blue"};
+  for (int i = 0; i < 3; ++i) {
+    const double sum = static_cast<double>(material.albedo[i]) + material.specular[i];
+    if (sum <= 1 + kSumSlack) continue;
+    table.faults().add(table.position(),
+                       fmt::format("albedo + specular = {:.6g} in {} of material {}", sum,
+                                   kChannels[static_cast<std::size_t>(i)], quote(material.name)),
+                       "at most 1 (a surface can't reflect more than it receives)");
+    return;
+  }
+}
+
+Material readMaterial(TableReader& table, std::string name) {
+  Material material;
+  material.name = std::move(name);
+  table.read("albedo", material.albedo, kNotNegative);
+  table.read("specular", material.specular, kNotNegative);
+  table.read("emission", material.emission, kNotNegative);
+  table.read("ambient", material.ambient, kNotNegative);
+  table.read("highlight", material.highlight, kNotNegative);
+  table.read("exponent", material.exponent, kNotNegative);
+  table.read("roughness", material.roughness, kUnitInterval);
+  std::string lobe;
+  if (table.readWord("lobe", lobe, {"ggx", "phong"}) && lobe == "phong") {
+    material.lobe = Lobe::phong;
+  }
+  table.finish();
+  checkEnergy(table, material);
+  return material;
+}
+
+SphereShape readSphere(TableReader& table) {
+  SphereShape sphere;
+  table.read("center", sphere.center, kAnyNumber, Need::required);
+  table.read("radius", sphere.radius, kPositiveLength, Need::required);
+  return sphere;
+}
+
+bool isZero(const glm::vec3& v) {
+  return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+void readCenterAndSize(TableReader& table, BoxShape& box) {
+  table.read("center", box.center, kAnyNumber, Need::required);
+  if (table.read("size", box.size, kNotNegative, Need::required) && isZero(box.size)) {
+    table.faults().add(table.positionOf("size"), "size [0, 0, 0]",
+                       "a size above 0 on at least one axis");
+  }
+}
+
+bool inOrder(const glm::vec3& minimum, const glm::vec3& maximum) {
+  return minimum.x <= maximum.x && minimum.y <= maximum.y && minimum.z <= maximum.z;
+}
+
+void readMinAndMax(TableReader& table, BoxShape& box) {
+  glm::vec3 minimum{0.0f};
+  glm::vec3 maximum{0.0f};
+  const bool hasMinimum = table.read("min", minimum, kAnyNumber, Need::required);
+  const bool hasMaximum = table.read("max", maximum, kAnyNumber, Need::required);
+  if (!hasMinimum || !hasMaximum) return;
+  if (!inOrder(minimum, maximum) || minimum == maximum) {
+    table.faults().add(table.positionOf("max"), "max below min on an axis, or equal on all",
+                       "max >= min on each axis, and above it on at least one");
+    return;
+  }
+  box.center = glm::vec3((glm::dvec3(minimum) + glm::dvec3(maximum)) * 0.5);
+  box.size = glm::vec3(glm::dvec3(maximum) - glm::dvec3(minimum));
+}
+
+/// Keys of the other way to give a box; they must not pass as unknown, since they are known ones.
+void rejectMixture(TableReader& table) {
+  for (const std::string_view key : {"center", "size"}) {
+    if (table.find(key, "", Need::optional) == nullptr) continue;
+    table.faults().add(table.keyPositionOf(key), quote(key) + " beside 'min' or 'max'",
+                       "either 'center' and 'size' or 'min' and 'max'");
+  }
+}
+
+BoxShape readBox(TableReader& table) {
+  BoxShape box;
+  if (table.has("min") || table.has("max")) {
+    rejectMixture(table);
+    readMinAndMax(table, box);
+  } else {
+    readCenterAndSize(table, box);
+    table.find("min", "", Need::optional);
+    table.find("max", "", Need::optional);
+  }
+  glm::vec3 rotation{0.0f};
+  if (table.read("rotation", rotation, kAnyNumber)) box.rotation = rotation;
+  return box;
+}
+
+PlaneShape readPlane(TableReader& table) {
+  PlaneShape plane;
+  table.read("point", plane.point, kAnyNumber, Need::required);
+  table.readDirection("normal", plane.normal, Need::required);
+  return plane;
+}
+
+void readShape(TableReader& table, const std::string& shape, Object& object) {
+  if (shape == "sphere") object.shape = readSphere(table);
+  if (shape == "box") object.shape = readBox(table);
+  if (shape == "plane") object.shape = readPlane(table);
+}
+
+/// Materials by name, for objects.
+struct MaterialIndex {
+  std::map<std::string, int> indices;
+  std::vector<std::string> names;
+};
+
+MaterialIndex indexMaterials(const Scene& scene) {
+  MaterialIndex index;
+  for (const Material& material : scene.materials) {
+    index.indices[material.name] = static_cast<int>(index.names.size());
+    index.names.push_back(material.name);
+  }
+  return index;
+}
+
+std::string expectedMaterial(const MaterialIndex& index, const std::string& name) {
+  if (index.names.empty()) return "a material, of which the file has none ([materials.NAME])";
+  const std::string_view many = index.names.size() > 1 ? "one of the materials " : "the material ";
+  return std::string(many) + oneOf(index.names) + didYouMean(name, index.names);
+}
+
+void readObjectMaterial(TableReader& table, const MaterialIndex& index, Object& object) {
+  std::string name;
+  if (!table.read("material", name, "the name of a material", Need::required)) return;
+  const auto found = index.indices.find(name);
+  if (found == index.indices.end()) {
+    table.faults().add(table.positionOf("material"), "material " + quote(name),
+                       expectedMaterial(index, name));
+    return;
+  }
+  object.material = found->second;
+}
+
+/// Where each object's name was given first.
+using NameLines = std::map<std::string, toml::source_position>;
+
+void checkUnique(TableReader& table, const Object& object, NameLines& lines) {
+  const toml::source_position at = table.positionOf("name");
+  const auto [first, isNew] = lines.emplace(object.name, at);
+  if (isNew) return;
+  table.faults().add(at,
+                     fmt::format("a second object named {} (the first is in line {})",
+                                 quote(object.name), first->second.line),
+                     "a name of its own");
+}
+
+Object readObject(TableReader& table, const MaterialIndex& materials, std::size_t index) {
+  Object object;
+  std::string shape;
+  const bool known = table.readWord("shape", shape, {"sphere", "box", "plane"}, Need::required);
+  if (!table.read("name", object.name, "a name without control characters")) {
+    object.name = fmt::format("{}-{}", shape, index);
+  }
+  readObjectMaterial(table, materials, object);
+  readShape(table, shape, object);
+  // Which keys belong here is unknown without a shape.
+  if (known) table.finish();
+  return object;
+}
+
+PointLight readPointLight(TableReader& table) {
+  PointLight light;
+  table.read("position", light.position, kAnyNumber, Need::required);
+  table.read("intensity", light.intensity, kNotNegative, Need::required);
+  return light;
+}
+
+SphereLight readSphereLight(TableReader& table) {
+  SphereLight light;
+  table.read("position", light.position, kAnyNumber, Need::required);
+  table.read("radius", light.radius, kPositiveLength, Need::required);
+  table.read("intensity", light.intensity, kNotNegative, Need::required);
+  return light;
+}
+
+SunLight readSunLight(TableReader& table) {
+  SunLight light;
+  table.readDirection("direction", light.direction, Need::required);
+  table.read("irradiance", light.irradiance, kNotNegative, Need::required);
+  table.read("angle", light.angle, kHalfTurn);
+  return light;
+}
+
+Light readLight(TableReader& table) {
+  Light light;
+  std::string kind;
+  if (!table.readWord("kind", kind, {"point", "sphere", "sun"}, Need::required)) return light;
+  if (kind == "point") light = readPointLight(table);
+  if (kind == "sphere") light = readSphereLight(table);
+  if (kind == "sun") light = readSunLight(table);
+  table.finish();
+  return light;
+}
+
+}  // namespace
+
+void readMaterials(TableReader& document, std::vector<Material>& materials) {
+  const toml::table* content = document.readTable("materials");
+  if (content == nullptr) return;
+  for (const auto& [key, node] : *content) {
+    const std::string name(key.str());
+    if (!node.is_table()) {
+      document.faults().add(node.source().begin, describe(node) + " for material " + quote(name),
+                            "a table, headed [materials.NAME]");
+      continue;
+    }
+    TableReader table(*node.as_table(), key.source().begin, document.faults());
+    materials.push_back(readMaterial(table, name));
+  }
+}
+
+void readObjects(TableReader& document, Scene& scene) {
+  const MaterialIndex materials = indexMaterials(scene);
+  NameLines lines;
+  for (const toml::table* content : document.readTables("objects")) {
+    TableReader table(*content, content->source().begin, document.faults());
+    scene.objects.push_back(readObject(table, materials, scene.objects.size()));
+    checkUnique(table, scene.objects.back(), lines);
+  }
+}
+
+void readLights(TableReader& document, std::vector<Light>& lights) {
+  const std::vector<const toml::table*> tables = document.readTables("lights");
+  constexpr auto kLimit = static_cast<std::size_t>(layout::kMaxLights);
+  if (tables.size() > kLimit) {
+    document.faults().add(tables[kLimit]->source().begin, fmt::format("{} lights", tables.size()),
+                          fmt::format("at most {} lights", kLimit));
+  }
+  for (const toml::table* content : tables) {
+    TableReader table(*content, content->source().begin, document.faults());
+    lights.push_back(readLight(table));
+  }
+}
+
+}  // namespace twintrace
