@@ -1,0 +1,134 @@
+#include "gpu/program_cache.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/unit/gpu/gl_fixture.h"
+
+namespace twintrace {
+
+namespace {
+
+const char* const kText =
+    "uniform float value;\nout vec4 color;\nvoid main() { color = vec4(value); }\n";
+
+/// An empty directory that goes with the test.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory() { std::filesystem::remove_all(path_); }
+  ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// The files in it.
+  std::vector<std::filesystem::path> files() const {
+    std::vector<std::filesystem::path> result;
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+      result.push_back(entry.path());
+    }
+    return result;
+  }
+
+ private:
+  std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / "twintrace_program_cache_test" / "programs";
+};
+
+float drawnValue(Context& context, Program& program, float value) {
+  program.set("value", value);
+  return drawnPixels(context, program, 1, 1)[0];
+}
+
+/// A context whose driver gives program binaries, and a directory with the binary of kText.
+class StoredProgram {
+ public:
+  StoredProgram() : context(contextOrSkip(Provider::osmesa)) {
+    if (!context) return;
+    ProgramCache cache(*context, directory.path());
+    cache.get(Stage::fragment, sourceOf(kText));
+    const auto files = directory.files();
+    if (!files.empty()) file = files.front();
+    if (file.empty()) WARN("skipped: the driver gives no program binaries");
+  }
+
+  /// What a new cache makes of the file.
+  ProgramCache::Counts countsOfNewCache() {
+    ProgramCache cache(*context, directory.path());
+    const auto program = cache.get(Stage::fragment, sourceOf(kText));
+    CHECK(drawnValue(*context, *program, 0.5f) == 0.5f);
+    return cache.counts();
+  }
+
+  TemporaryDirectory directory;
+  std::unique_ptr<Context> context;
+  std::filesystem::path file;
+};
+
+}  // namespace
+
+TEST_CASE("ProgramCache compiles a source once", "[gl]") {
+  const auto context = contextOrSkip(Provider::osmesa);
+  if (!context) return;
+  ProgramCache cache(*context, {});
+  const auto first = cache.get(Stage::fragment, sourceOf(kText));
+  CHECK(cache.get(Stage::fragment, sourceOf(kText)) == first);
+  CHECK(cache.get(Stage::fragment, sourceOf(std::string("\n") + kText)) != first);
+  CHECK(cache.counts().compiled == 2);
+  CHECK(cache.counts().fromMemory == 1);
+}
+
+TEST_CASE("ProgramCache finds a program on disk again", "[gl]") {
+  StoredProgram stored;
+  if (stored.file.empty()) return;
+  CHECK(stored.countsOfNewCache().fromDisk == 1);
+}
+
+TEST_CASE("ProgramCache compiles when the file on disk is damaged", "[gl]") {
+  StoredProgram stored;
+  if (stored.file.empty()) return;
+  {
+    std::fstream stream(stored.file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(-1, std::ios::end);
+    const int last = stream.peek();
+    stream.put(static_cast<char>(last ^ 1));
+  }
+  CHECK(stored.countsOfNewCache().compiled == 1);
+  CHECK(stored.countsOfNewCache().fromDisk == 1);
+}
+
+TEST_CASE("ProgramCache compiles when the file on disk is cut off", "[gl]") {
+  StoredProgram stored;
+  if (stored.file.empty()) return;
+  for (const std::uintmax_t size : {0u, 10u, 24u, 100u}) {
+    std::filesystem::resize_file(stored.file, size);
+    CHECK(stored.countsOfNewCache().compiled == 1);
+  }
+}
+
+TEST_CASE("fromBinary gives nothing when the driver rejects the bytes", "[gl]") {
+  StoredProgram stored;
+  if (stored.file.empty()) return;
+  Program program(*stored.context, Stage::fragment, sourceOf(kText));
+  ProgramBinary binary = *program.binary();
+  std::fill(binary.bytes.begin(), binary.bytes.end(), '\0');
+  CHECK(Program::fromBinary(*stored.context, binary) == nullptr);
+  binary.format = 0;
+  CHECK(Program::fromBinary(*stored.context, binary) == nullptr);
+}
+
+TEST_CASE("ProgramCache works where its directory can't be made", "[gl]") {
+  const auto context = contextOrSkip(Provider::osmesa);
+  if (!context) return;
+  ProgramCache cache(*context, "/dev/null/twintrace");
+  const auto program = cache.get(Stage::fragment, sourceOf(kText));
+  CHECK(drawnValue(*context, *program, 0.25f) == 0.25f);
+}
+
+TEST_CASE("ProgramCache leaves nothing but finished files behind", "[gl]") {
+  StoredProgram stored;
+  if (stored.file.empty()) return;
+  CHECK(stored.directory.files().size() == 1);
+  CHECK(stored.file.extension().empty());
+}
+
+}  // namespace twintrace
