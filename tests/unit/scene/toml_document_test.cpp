@@ -15,6 +15,17 @@ TEST_CASE("parseToml words toml++'s expectations as found and expected", "[scene
         "s.toml:2:2: found '=' in the root table, expected keys, tables, whitespace or comments");
 }
 
+TEST_CASE("parseToml reports a table's header that starts no key, in debug builds too", "[scene]") {
+  CHECK(faultsOf("[=]") ==
+        "s.toml:1:2: found '=' in the key, expected bare key starting character or string "
+        "delimiter");
+}
+
+TEST_CASE("parseToml reports a character that toml++ holds for unreachable", "[scene]") {
+  CHECK(faultsOf("a \xef\xb7\xba = 1") ==
+        "s.toml:1:3: found '\xef\xb7\xba' in the key-value pair, expected '='");
+}
+
 TEST_CASE("parseToml reports the end of the file inside a value", "[scene]") {
   CHECK(faultsOf("a = [1,") ==
         "s.toml:1:8: found the end of the file, expected the rest of the array");
