@@ -102,26 +102,47 @@ std::array<int, 3> rgbChannels(const OIIO::ImageSpec& spec) {
   return {0, 0, 0};
 }
 
-std::vector<float> readChannel(OIIO::ImageInput& input, const std::string& path, int channel) {
-  const OIIO::ImageSpec& spec = input.spec();
-  std::vector<float> values(static_cast<std::size_t>(spec.width) *
-                            static_cast<std::size_t>(spec.height));
-  if (!input.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, values.data())) {
-    failToRead(path, input.geterror());
+/// All values of an image, channels interleaved: read at once, since each reading decodes the file.
+class Pixels {
+ public:
+  Pixels(OIIO::ImageInput& input, const std::string& path)
+      : width_(input.spec().width),
+        height_(input.spec().height),
+        channelCount_(static_cast<std::size_t>(input.spec().nchannels)) {
+    values_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+                   channelCount_);
+    const int last = input.spec().nchannels;
+    if (!input.read_image(0, 0, 0, last, OIIO::TypeDesc::FLOAT, values_.data()))
+      failToRead(path, input.geterror());
   }
-  return values;
-}
 
-Image readRgb(OIIO::ImageInput& input, const std::string& path,
-              const std::array<int, 3>& channels) {
-  Image image(input.spec().width, input.spec().height);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::vector<float> values = readChannel(input, path, channels[i]);
-    for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
-      image.rgb[pixel * 3 + i] = values[pixel];
+  std::vector<float> channel(int channel) const {
+    std::vector<float> values;
+    values.reserve(values_.size() / channelCount_);
+    for (std::size_t i = static_cast<std::size_t>(channel); i < values_.size();
+         i += channelCount_) {
+      values.push_back(values_[i]);
+    }
+    return values;
   }
-  return image;
-}
+
+  Image rgb(const std::array<int, 3>& channels) const {
+    Image image(width_, height_);
+    for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        image.rgb[pixel * 3 + i] =
+            values_[pixel * channelCount_ + static_cast<std::size_t>(channels[i])];
+      }
+    }
+    return image;
+  }
+
+ private:
+  int width_;
+  int height_;
+  std::size_t channelCount_;
+  std::vector<float> values_;
+};
 
 FilmMetadata metadataOf(const OIIO::ImageSpec& spec) {
   FilmMetadata metadata;
@@ -166,8 +187,9 @@ ExrContent readExr(const std::string& path) {
                                        spec.channelindex("Variance.B")};
   const bool hasVariance = *std::min_element(variance.begin(), variance.end()) >= 0;
   ExrContent content;
-  content.image = readRgb(*input, path, rgb);
-  if (hasVariance) content.variance = readRgb(*input, path, variance);
+  const Pixels pixels(*input, path);
+  content.image = pixels.rgb(rgb);
+  if (hasVariance) content.variance = pixels.rgb(variance);
   for (int i = 0; i < spec.nchannels; ++i) {
     const auto isIn = [i](const std::array<int, 3>& set) {
       return std::find(set.begin(), set.end(), i) != set.end();
@@ -175,9 +197,9 @@ ExrContent readExr(const std::string& path) {
     if (isIn(rgb) || (hasVariance && isIn(variance))) continue;
     const std::string name = spec.channel_name(i);
     if (name == "count")
-      content.count = readChannel(*input, path, i);
+      content.count = pixels.channel(i);
     else
-      content.extra.push_back({name, readChannel(*input, path, i)});
+      content.extra.push_back({name, pixels.channel(i)});
   }
   content.metadata = metadataOf(spec);
   return content;
@@ -189,7 +211,7 @@ Image readLinearImage(const std::string& path) {
     failContent(path, std::string("found an image of ") + input->spec().format.c_str() +
                           ", expected linear floats (EXR or HDR)");
   }
-  return readRgb(*input, path, rgbChannels(input->spec()));
+  return Pixels(*input, path).rgb(rgbChannels(input->spec()));
 }
 
 std::uint8_t srgbCode(float linear) {
