@@ -3,134 +3,17 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
-#include <span>
 
 #include "common/film/canvas.h"
+#include "common/film/sheet_tiles.h"
 
 namespace twintrace {
 namespace {
 
 constexpr Colour kBackground = {250, 250, 248};
 constexpr Colour kText = {24, 24, 28};
-constexpr Colour kMagenta = {255, 0, 255};
-constexpr int kSmallestTile = 360;    // pixels; smaller pictures are enlarged
-constexpr double kUlpScaleBits = 24;  // a difference of all mantissa bits ends the scale
-constexpr double kLargestZ = 5.0;
-
-/// Colours between which a scale from 0 to 1 is interpolated.
-constexpr std::array<Colour, 6> kUlpColours = {
-    {{0, 0, 0}, {60, 15, 110}, {150, 40, 110}, {225, 90, 50}, {250, 180, 40}, {255, 255, 190}}};
-constexpr std::array<Colour, 5> kZColours = {
-    {{30, 60, 150}, {130, 170, 225}, {255, 255, 255}, {235, 150, 120}, {150, 20, 40}}};
-
-Colour colourAt(std::span<const Colour> colours, double position) {
-  const double scaled = std::clamp(position, 0.0, 1.0) * static_cast<double>(colours.size() - 1);
-  const std::size_t index = std::min(static_cast<std::size_t>(scaled), colours.size() - 2);
-  const double weight = scaled - static_cast<double>(index);
-  Colour colour;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double value = (1.0 - weight) * colours[index][i] + weight * colours[index + 1][i];
-    colour[i] = static_cast<std::uint8_t>(std::lround(value));
-  }
-  return colour;
-}
-
-Colour ulpColour(double ulp) {
-  return colourAt(kUlpColours, std::log2(1.0 + ulp) / kUlpScaleBits);
-}
-
-Colour zColour(double z) {
-  if (std::isnan(z)) return kMagenta;
-  return colourAt(kZColours, 0.5 + 0.5 * z / kLargestZ);
-}
-
-struct Label {
-  double position;  ///< along the legend, 0 to 1
-  std::string text;
-};
-
-struct Tile {
-  std::string caption;
-  DisplayImage picture;
-  std::span<const Colour> legend;  ///< empty: none
-  std::vector<Label> labels;
-};
-
-template <class ColourOf>
-DisplayImage drawMap(int width, int height, const ColourOf& colourOf) {
-  DisplayImage picture{width, height, {}};
-  const std::size_t pixelCount = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  for (std::size_t pixel = 0; pixel < pixelCount; ++pixel) {
-    const Colour colour = colourOf(pixel);
-    picture.rgb.insert(picture.rgb.end(), colour.begin(), colour.end());
-  }
-  return picture;
-}
-
-/// The smallest power of ten, at least 1, that lifts the largest finite difference to 0.1.
-double gainFor(const Image& a, const Image& b) {
-  float largest = 0.0f;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
-    const float difference = std::abs(a.rgb[i] - b.rgb[i]);
-    if (std::isfinite(difference)) largest = std::max(largest, difference);
-  }
-  if (largest == 0.0f) return 1.0;
-  return std::pow(10.0, std::max(0.0, std::ceil(std::log10(0.1 / double(largest)))));
-}
-
-Tile differenceTile(const SheetContent& content) {
-  const double gain = gainFor(content.a, content.b);
-  Image difference(content.a.width, content.a.height);
-  for (std::size_t i = 0; i < difference.rgb.size(); ++i) {
-    const float a = content.a.rgb[i];
-    const float b = content.b.rgb[i];
-    const bool bothNan = std::isnan(a) && std::isnan(b);
-    difference.rgb[i] =
-        a == b || bothNan ? 0.0f : static_cast<float>(gain * std::abs(double(a) - b));
-  }
-  char caption[64];
-  std::snprintf(caption, sizeof(caption), "|a - b| x %.10g", gain);
-  return {caption, toDisplay(difference), {}, {}};
-}
-
-Tile ulpTile(const SheetContent& content) {
-  const auto colourOf = [&](std::size_t pixel) { return ulpColour(content.ulp[pixel]); };
-  std::vector<Label> labels = {{0.0, "0"}};
-  for (const int bits : {4, 8, 12, 16, 20, 24}) {
-    labels.push_back({bits / kUlpScaleBits, "2^" + std::to_string(bits)});
-  }
-  return {"largest distance, ULP", drawMap(content.a.width, content.a.height, colourOf),
-          kUlpColours, labels};
-}
-
-/// z of the channel that is farthest from 0, or a NaN of any channel.
-float strongestZ(const Image& z, std::size_t pixel) {
-  float strongest = 0.0f;
-  for (std::size_t i = pixel * 3; i < pixel * 3 + 3; ++i) {
-    if (std::isnan(z.rgb[i])) return z.rgb[i];
-    if (std::abs(z.rgb[i]) > std::abs(strongest)) strongest = z.rgb[i];
-  }
-  return strongest;
-}
-
-Tile zTile(const SheetContent& content) {
-  const auto colourOf = [&](std::size_t pixel) { return zColour(strongestZ(content.z, pixel)); };
-  return {"z: (a - b) / standard error",
-          drawMap(content.a.width, content.a.height, colourOf),
-          kZColours,
-          {{0.0, "-5"}, {0.25, "-2.5"}, {0.5, "0"}, {0.75, "2.5"}, {1.0, "5"}}};
-}
-
-std::vector<Tile> tilesOf(const SheetContent& content) {
-  std::vector<Tile> tiles;
-  tiles.push_back({"a: " + content.nameA, toDisplay(content.a), {}, {}});
-  tiles.push_back({"b: " + content.nameB, toDisplay(content.b), {}, {}});
-  tiles.push_back(differenceTile(content));
-  if (!content.ulp.empty()) tiles.push_back(ulpTile(content));
-  if (!content.z.empty()) tiles.push_back(zTile(content));
-  return tiles;
-}
+constexpr int kSmallestTile = 360;  // pixels; smaller pictures are enlarged
+constexpr int kCaptionLines = 2;
 
 /// Breaks text at spaces into lines of at most `columns` characters; longer words are cut.
 std::vector<std::string> wrapText(const std::string& text, std::size_t columns) {
@@ -151,39 +34,51 @@ struct Layout {
   int scale;  ///< enlargement of pictures
   int textScale;
   int margin;
-  int tileWidth;
-  int tileHeight;  ///< of the picture alone
-  int captionLines;
+  int tileWidth;  ///< of the picture, enlarged
+  int tileHeight;
   int columns;
 
-  Layout(const SheetContent& content, int tileCount) {
-    scale = std::max(1, (kSmallestTile + content.a.width - 1) / content.a.width);
-    tileWidth = content.a.width * scale;
-    tileHeight = content.a.height * scale;
+  Layout(const Image& picture, std::size_t tileCount) {
+    scale = std::max(1, (kSmallestTile + picture.width - 1) / picture.width);
+    tileWidth = picture.width * scale;
+    tileHeight = picture.height * scale;
     textScale = std::max(2, tileWidth / kSmallestTile);
     margin = 8 * textScale;
-    captionLines = 2;
     columns = tileCount > 4 ? 3 : 2;
   }
 
   int lineHeight() const { return kLineAdvance * textScale; }
-  int legendHeight() const { return 2 * lineHeight(); }
-  int cellHeight() const {
-    return captionLines * lineHeight() + tileHeight + legendHeight() + margin;
-  }
   int width() const { return margin + columns * (tileWidth + margin); }
+  int rowHeight(bool hasLegend) const {
+    return (kCaptionLines + (hasLegend ? 2 : 0)) * lineHeight() + tileHeight + margin;
+  }
   std::size_t charactersIn(int pixels) const {
     return static_cast<std::size_t>(std::max(1, pixels / (kCharacterAdvance * textScale)));
   }
 };
 
-void drawLegend(Canvas& canvas, int x, int y, const Tile& tile, const Layout& layout) {
+/// Upper edges of the rows of tiles, and the lower edge of the last one.
+std::vector<int> rowEdges(const std::vector<SheetTile>& tiles, const Layout& layout, int top) {
+  std::vector<int> edges = {top};
+  const std::size_t columns = static_cast<std::size_t>(layout.columns);
+  for (std::size_t first = 0; first < tiles.size(); first += columns) {
+    const auto begin = tiles.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end =
+        tiles.begin() + static_cast<std::ptrdiff_t>(std::min(first + columns, tiles.size()));
+    const bool hasLegend =
+        std::any_of(begin, end, [](const SheetTile& tile) { return !tile.legend.empty(); });
+    edges.push_back(edges.back() + layout.rowHeight(hasLegend));
+  }
+  return edges;
+}
+
+void drawLegend(Canvas& canvas, int x, int y, const SheetTile& tile, const Layout& layout) {
   const int barHeight = layout.lineHeight() - 2 * layout.textScale;
   for (int column = 0; column < layout.tileWidth; ++column) {
     const double position = (column + 0.5) / layout.tileWidth;
     canvas.fillRectangle(x + column, y, 1, barHeight, colourAt(tile.legend, position));
   }
-  for (const Label& label : tile.labels) {
+  for (const LegendLabel& label : tile.labels) {
     const int textWidth =
         static_cast<int>(label.text.size()) * kCharacterAdvance * layout.textScale;
     const int place =
@@ -192,12 +87,12 @@ void drawLegend(Canvas& canvas, int x, int y, const Tile& tile, const Layout& la
   }
 }
 
-void drawTile(Canvas& canvas, int x, int y, const Tile& tile, const Layout& layout) {
+void drawTile(Canvas& canvas, int x, int y, const SheetTile& tile, const Layout& layout) {
   std::vector<std::string> caption = wrapText(tile.caption, layout.charactersIn(layout.tileWidth));
-  if (caption.size() > static_cast<std::size_t>(layout.captionLines)) {
-    caption.resize(static_cast<std::size_t>(layout.captionLines));
+  if (caption.size() > static_cast<std::size_t>(kCaptionLines)) {
+    caption.resize(static_cast<std::size_t>(kCaptionLines));
   }
-  int line = y + (layout.captionLines - static_cast<int>(caption.size())) * layout.lineHeight();
+  int line = y + (kCaptionLines - static_cast<int>(caption.size())) * layout.lineHeight();
   for (const std::string& text : caption) {
     canvas.drawText(x, line, text, kText, layout.textScale);
     line += layout.lineHeight();
@@ -211,26 +106,26 @@ void drawTile(Canvas& canvas, int x, int y, const Tile& tile, const Layout& layo
 
 DisplayImage drawSheet(const SheetContent& content) {
   assert(content.a.sameSize(content.b) && !content.a.empty());
-  const std::vector<Tile> tiles = tilesOf(content);
-  const Layout layout(content, static_cast<int>(tiles.size()));
+  const std::vector<SheetTile> tiles = sheetTiles(content);
+  const Layout layout(content.a, tiles.size());
   std::vector<std::string> header;
   for (const std::string& line : content.header) {
-    const auto wrapped = wrapText(line, layout.charactersIn(layout.width() - 2 * layout.margin));
-    header.insert(header.end(), wrapped.begin(), wrapped.end());
+    const auto lines = wrapText(line, layout.charactersIn(layout.width() - 2 * layout.margin));
+    header.insert(header.end(), lines.begin(), lines.end());
   }
-  const int headerHeight = layout.margin + static_cast<int>(header.size()) * layout.lineHeight();
-  const int rows = (static_cast<int>(tiles.size()) + layout.columns - 1) / layout.columns;
-  Canvas canvas(layout.width(), headerHeight + rows * layout.cellHeight() + layout.margin,
-                kBackground);
+  const int top = 2 * layout.margin + static_cast<int>(header.size()) * layout.lineHeight();
+  const std::vector<int> edges = rowEdges(tiles, layout, top);
+
+  Canvas canvas(layout.width(), edges.back(), kBackground);
   for (std::size_t i = 0; i < header.size(); ++i) {
-    canvas.drawText(layout.margin, layout.margin + static_cast<int>(i) * layout.lineHeight(),
-                    header[i], kText, layout.textScale);
+    const int y = layout.margin + static_cast<int>(i) * layout.lineHeight();
+    canvas.drawText(layout.margin, y, header[i], kText, layout.textScale);
   }
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const int column = static_cast<int>(i) % layout.columns;
-    const int row = static_cast<int>(i) / layout.columns;
-    drawTile(canvas, layout.margin + column * (layout.tileWidth + layout.margin),
-             headerHeight + row * layout.cellHeight(), tiles[i], layout);
+    const std::size_t columns = static_cast<std::size_t>(layout.columns);
+    const int x =
+        layout.margin + static_cast<int>(i % columns) * (layout.tileWidth + layout.margin);
+    drawTile(canvas, x, edges[i / columns], tiles[i], layout);
   }
   return canvas.image();
 }

@@ -19,9 +19,9 @@ struct SheetContent {
   Image z;                 ///< as zMap() gives it; empty: no such tile
 };
 
-/// Draws a, b, |a - b| times a stated gain (a power of ten that makes the largest difference
-/// visible), ULP on a logarithmic scale and z from -5 to 5, each with a caption, under the header.
-/// Small pictures are enlarged by a whole factor.
+/// Draws a, b, their difference times a stated gain (a power of ten that makes the largest
+/// difference visible), ULP on a logarithmic scale and z from -5 to 5, each with a caption, under
+/// the header. Small pictures are enlarged by a whole factor.
 DisplayImage drawSheet(const SheetContent& content);
 
 /// Draws the sheet into a PNG. @throws IoError if it can't be written.

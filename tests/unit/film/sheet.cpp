@@ -58,7 +58,7 @@ TEST_CASE("drawSheet enlarges small pictures by a whole factor", "[film]") {
   SheetContent content = someContent(16, 8);
   content.a.rgb[0] = content.a.rgb[1] = content.a.rgb[2] = std::numeric_limits<float>::quiet_NaN();
   const DisplayImage sheet = drawSheet(content);
-  // Magenta in a and in |a - b|, 23 = ceil(360 / 16) screen pixels wide and high.
+  // Magenta in a and in the difference, 23 = ceil(360 / 16) screen pixels wide and high.
   CHECK(countColour(sheet, {255, 0, 255}) == 2 * 23 * 23);
 }
 
