@@ -8,14 +8,11 @@
 #include <string>
 
 #include "common/base/wording.h"
+#include "common/scene/layout.h"
 
 namespace twintrace {
 
 namespace {
-
-namespace layout {
-#include "shaders/shared/layout.glsl"
-}
 
 /// Slack of a sum that was authored as 1: both colours are rounded to float, each by at most 2^-25
 /// since it is below 1.
