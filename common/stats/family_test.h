@@ -25,8 +25,8 @@ struct FamilyTest {
   bool different = false;
 };
 
-/// The unpaired test on batches. Welch's t on each block-channel, Holm over all of them; if that
-/// rejects, the max T relabelling test has to reject as well.
+/// The unpaired test on batches. Welch's t, freed of skewness, on each block-channel, Holm over all
+/// of them; if that rejects, the max T relabelling test has to reject as well.
 ///
 /// Why two tests: Welch's t is conservative for skewed and heavy-tailed block means (fireflies hit
 /// one arm only and inflate its error), but far out in the tail it is too liberal for light-tailed
@@ -35,6 +35,11 @@ struct FamilyTest {
 /// smaller than 1 / (permutations + 1), so it can't be corrected block by block. Requiring both
 /// keeps the false-alarm rate at or below alpha for A/A pairs, and the relabelling costs time only
 /// when there is something to confirm.
+///
+/// Arms with equal means but unequal skewness (say, two estimators, one of them with fireflies) are
+/// not A/A pairs: no test of means is exact for them. Measured at alpha 0.01 with 32 batches, tight
+/// normal values against lognormal ones of sigma 1, 1.5, 2: 1, 4 and 12 % false alarms (plain
+/// Welch: 3, 9 and 34 %). More samples per batch are the cure.
 /// @param alpha in (0, 1). Below 1e-5 the confirming test stays at 1e-5 and Welch's decides.
 /// @throws UsageError if an arm has fewer than kMinBatchCount batches, sizes or alpha are wrong.
 FamilyTest familyTest(const BatchMeans& a, const BatchMeans& b, double alpha);

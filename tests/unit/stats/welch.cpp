@@ -43,6 +43,26 @@ TEST_CASE("welchTwoSided is Welch's t with Satterthwaite's degrees of freedom", 
   CHECK(welchTwoSided(a, b) == Approx(studentTwoSided(2.0 / std::sqrt(13.0 / 6.0), dof)));
 }
 
+TEST_CASE("welchTwoSided rejects less where skewness explains the difference", "[stats]") {
+  MeanEstimate a{-5.0, 1.0, 31};  // too low, as an arm that missed its rare bright values
+  const MeanEstimate b{0.0, 0.0, 31};
+  const double plain = welchTwoSided(a, b);
+  a.thirdCumulant = 0.3;
+  // Hall: -5 + 0.3 * 25 / 3 - 0.09 * 125 / 27 + 0.3 / 6
+  CHECK(welchTwoSided(a, b) == Approx(studentTwoSided(-5.0 + 2.5 - 11.25 / 27.0 + 0.05, 31)));
+  a.thirdCumulant = -0.3;
+  CHECK(welchTwoSided(a, b) == plain);
+  a.mean = -0.1;  // and the transformation would cross zero
+  a.thirdCumulant = 1.0;
+  CHECK(welchTwoSided(a, b) == 1.0);
+}
+
+TEST_CASE("meanEstimate finds the third cumulant of the mean", "[stats]") {
+  // Deviations -1, -1, -1, 3: unbiased third moment 4 * 24 / (3 * 2) = 16, over 4^2.
+  CHECK(meanEstimate(std::vector<double>{0, 0, 0, 4}).thirdCumulant == Approx(1.0));
+  CHECK(meanEstimate(std::vector<double>{0, 4}).thirdCumulant == 0.0);
+}
+
 TEST_CASE("welchDof survives the underflow of tiny errors", "[stats]") {
   CHECK(welchDof(1e-200, 31, 1e-200, 40) == 31);
 }
