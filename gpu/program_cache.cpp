@@ -3,7 +3,6 @@
 #include <unistd.h>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -25,12 +24,9 @@ namespace {
 /// What precedes the driver's bytes in a cache file. The checksum is there because drivers are not
 /// built to survive a damaged binary.
 struct Header {
-  char magic[8];
   std::uint64_t checksum;
-  std::uint32_t format;
-  std::uint32_t reserved;
+  std::uint64_t format;
 };
-constexpr char kMagic[8] = {'t', 'w', 'i', 'n', 'p', 'r', 'g', '1'};
 
 std::uint64_t checksumOf(const ProgramBinary& binary) {
   return XXH3_64bits_withSeed(binary.bytes.data(), binary.bytes.size(), binary.format);
@@ -61,8 +57,8 @@ std::optional<ProgramBinary> readBinary(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   Header header{};
   if (!stream.read(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
-  if (std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) return std::nullopt;
-  ProgramBinary binary{header.format, {std::istreambuf_iterator<char>(stream), {}}};
+  ProgramBinary binary{static_cast<std::uint32_t>(header.format),
+                       {std::istreambuf_iterator<char>(stream), {}}};
   if (checksumOf(binary) != header.checksum) return std::nullopt;
   return binary;
 }
@@ -73,8 +69,7 @@ void writeBinary(const std::filesystem::path& file, const ProgramBinary& binary)
   const int descriptor = mkstemp(temporary.data());
   if (descriptor < 0) return;
   close(descriptor);
-  Header header{{}, checksumOf(binary), binary.format, 0};
-  std::memcpy(header.magic, kMagic, sizeof kMagic);
+  const Header header{checksumOf(binary), binary.format};
   std::ofstream stream(temporary, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(&header), sizeof header);
   stream.write(binary.bytes.data(), static_cast<std::streamsize>(binary.bytes.size()));
@@ -98,7 +93,6 @@ ProgramCache::ProgramCache(Context& context, std::filesystem::path directory)
     : context_(context), directory_(std::move(directory)) {
   std::error_code error;
   if (!directory_.empty()) std::filesystem::create_directories(directory_, error);
-  if (error) directory_.clear();
 }
 
 std::shared_ptr<Program> ProgramCache::get(Stage stage, const ShaderSource& source) {

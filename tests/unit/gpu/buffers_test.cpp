@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 
-#include "gpu/timer_query.h"
 #include "tests/unit/gpu/gl_fixture.h"
 
 namespace twintrace {
@@ -118,28 +117,6 @@ TEST_CASE("StorageBuffer names the figures when it is too large", "[gl]") {
   const std::string message =
       messageOf<DeviceError>([&] { StorageBuffer(*context, std::size_t{1} << 50); });
   CHECK(message.find("bytes of a storage buffer: found 1125899906842624, the device allows ") == 0);
-}
-
-TEST_CASE("TimerQuery gives no more than the wall time, or nothing", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
-    Program program(*context, Stage::fragment,
-                    sourceOf("uniform int count;\nout vec4 color;\n"
-                             "void main() {\n"
-                             "  float x = gl_FragCoord.x;\n"
-                             "  for (int i = 0; i < count; ++i) x = sqrt(x * x + 1.0);\n"
-                             "  color = vec4(x);\n"
-                             "}\n"));
-    program.set("count", 100);
-    FloatTarget target(*context, 256, 256);
-    TimerQuery timer(*context);
-    timer.start();
-    target.draw(program);
-    timer.stop();
-    CHECK(timer.wallSeconds() > 0.0);
-    CHECK(timer.deviceSeconds().value_or(0.0) <= timer.wallSeconds());
-  }
 }
 
 }  // namespace twintrace

@@ -30,6 +30,12 @@ TEST_CASE("createContext gives OpenGL 4.5 or later and says what runs it", "[gl]
   }
 }
 
+TEST_CASE("egl leaves software devices to the surfaceless platform", "[gl]") {
+  const auto context = contextOrSkip(Provider::egl);
+  if (!context || context->renderer().find("llvmpipe") == std::string::npos) return;
+  CHECK(context->source() == "EGL surfaceless");
+}
+
 TEST_CASE("contexts of both providers work one after the other", "[gl]") {
   for (const Provider provider : {Provider::egl, Provider::osmesa, Provider::egl}) {
     const auto context = contextOrSkip(provider);

@@ -34,6 +34,14 @@ class TemporaryDirectory {
       std::filesystem::temp_directory_path() / "twintrace_program_cache_test" / "programs";
 };
 
+void flipBit(const std::filesystem::path& file, std::streamoff at) {
+  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekg(at);
+  const int byte = stream.get();
+  stream.seekp(at);
+  stream.put(static_cast<char>(byte ^ 1));
+}
+
 float drawnValue(Context& context, Program& program, float value) {
   program.set("value", value);
   return drawnPixels(context, program, 1, 1)[0];
@@ -45,10 +53,14 @@ class StoredProgram {
   StoredProgram() : context(contextOrSkip(Provider::osmesa)) {
     if (!context) return;
     ProgramCache cache(*context, directory.path());
-    cache.get(Stage::fragment, sourceOf(kText));
+    const auto program = cache.get(Stage::fragment, sourceOf(kText));
+    if (!program->binary()) {
+      WARN("skipped: the driver gives no program binaries");
+      return;
+    }
     const auto files = directory.files();
-    if (!files.empty()) file = files.front();
-    if (file.empty()) WARN("skipped: the driver gives no program binaries");
+    REQUIRE(files.size() == 1);
+    file = files.front();
   }
 
   /// What a new cache makes of the file.
@@ -86,20 +98,19 @@ TEST_CASE("ProgramCache finds a program on disk again", "[gl]") {
 TEST_CASE("ProgramCache compiles when the file on disk is damaged", "[gl]") {
   StoredProgram stored;
   if (stored.file.empty()) return;
-  {
-    std::fstream stream(stored.file, std::ios::in | std::ios::out | std::ios::binary);
-    stream.seekp(-1, std::ios::end);
-    const int last = stream.peek();
-    stream.put(static_cast<char>(last ^ 1));
+  // The checksum comes first: the driver's bytes behind it stay good, so only we can notice.
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(stored.file));
+  for (const std::streamoff at : {std::streamoff{0}, size - 1}) {
+    flipBit(stored.file, at);
+    CHECK(stored.countsOfNewCache().compiled == 1);
+    CHECK(stored.countsOfNewCache().fromDisk == 1);
   }
-  CHECK(stored.countsOfNewCache().compiled == 1);
-  CHECK(stored.countsOfNewCache().fromDisk == 1);
 }
 
 TEST_CASE("ProgramCache compiles when the file on disk is cut off", "[gl]") {
   StoredProgram stored;
   if (stored.file.empty()) return;
-  for (const std::uintmax_t size : {0u, 10u, 24u, 100u}) {
+  for (const std::uintmax_t size : {0u, 10u, 16u, 100u}) {
     std::filesystem::resize_file(stored.file, size);
     CHECK(stored.countsOfNewCache().compiled == 1);
   }
@@ -122,13 +133,6 @@ TEST_CASE("ProgramCache works where its directory can't be made", "[gl]") {
   ProgramCache cache(*context, "/dev/null/twintrace");
   const auto program = cache.get(Stage::fragment, sourceOf(kText));
   CHECK(drawnValue(*context, *program, 0.25f) == 0.25f);
-}
-
-TEST_CASE("ProgramCache leaves nothing but finished files behind", "[gl]") {
-  StoredProgram stored;
-  if (stored.file.empty()) return;
-  CHECK(stored.directory.files().size() == 1);
-  CHECK(stored.file.extension().empty());
 }
 
 }  // namespace twintrace

@@ -76,8 +76,9 @@ TEST_CASE("a uniform set with the wrong type is found by the next draw", "[gl]")
   Program program(
       *context, Stage::fragment,
       sourceOf("uniform float a;\nout vec4 color;\nvoid main() { color = vec4(a); }\n"));
+  FloatTarget target(*context, 1, 1);
   program.set("a", 1u);
-  CHECK_THROWS_AS(drawnPixels(*context, program, 1, 1), DeviceError);
+  CHECK_THROWS_AS(target.draw(program), DeviceError);
 }
 
 TEST_CASE("a GLSL error names the shader file and line", "[gl]") {
