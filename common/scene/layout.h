@@ -1,0 +1,5 @@
+#pragma once
+
+namespace twintrace::layout {
+#include "shaders/shared/layout.glsl"
+}

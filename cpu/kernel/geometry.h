@@ -1,0 +1,45 @@
+#pragma once
+
+// Twin of shaders/geometry.glsl: all primitives against one ray.
+
+#include "cpu/kernel/intersect.h"
+#include "cpu/kernel/scene_access.h"
+
+TWINTRACE_KERNEL_BEGIN
+
+template <class R>
+Hit<R> visitGeometry(const SceneView& scene, const Ray<R>& ray, const Hit<R>& start) {
+  using Int = IntOf<R>;
+  Hit<R> best = start;
+  int primitive = 0;
+  if (scene.effectSphere) {
+    for (int i = 0; i < scene.index.sphereCount; ++i) {
+      const R t = intersectSphere(scene, ray, fetchSphere<R>(scene, i));
+      best = nearer(best, t, Int(primitive + i));
+    }
+  }
+  primitive += scene.index.sphereCount;
+  if (scene.effectBox) {
+    for (int i = 0; i < scene.index.boxCount; ++i) {
+      const R t = intersectBox(scene, ray, fetchBox<R>(scene, i));
+      best = nearer(best, t, Int(primitive + i));
+    }
+  }
+  primitive += scene.index.boxCount;
+  if (scene.effectOrientedBox) {
+    for (int i = 0; i < scene.index.orientedBoxCount; ++i) {
+      const R t = intersectOrientedBox(scene, ray, fetchOrientedBox<R>(scene, i));
+      best = nearer(best, t, Int(primitive + i));
+    }
+  }
+  primitive += scene.index.orientedBoxCount;
+  if (scene.effectPlane) {
+    for (int i = 0; i < scene.index.planeCount; ++i) {
+      const R t = intersectPlane(scene, ray, fetchPlane<R>(scene, i));
+      best = nearer(best, t, Int(primitive + i));
+    }
+  }
+  return best;
+}
+
+TWINTRACE_KERNEL_END

@@ -1,0 +1,81 @@
+#pragma once
+
+// Twin of shaders/vertex.glsl: a path's arrival at its next vertex, common to all integrators.
+
+#include "cpu/kernel/environment.h"
+#include "cpu/kernel/path_state.h"
+#include "cpu/kernel/surface.h"
+#include "cpu/kernel/traverse.h"
+
+TWINTRACE_KERNEL_BEGIN
+
+/// State has the light found at the vertex added and is no longer alive; where `scatters` holds the
+/// integrator decides how the path goes on. Elsewhere the other members have no meaning.
+template <class R>
+struct Vertex {
+  PathState<R> state;
+  MaskOf<R> scatters;
+  IntOf<R> material;
+  Vec3<R> position;
+  Vec3<R> normal;  ///< faces against the ray
+  Vec3<R> origin;  ///< of rays that leave along the normal's side
+};
+
+template <class R>
+Vertex<R> arrive(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+  using Int = IntOf<R>;
+  using Mask = MaskOf<R>;
+  const Hit<R> hit = closestHit(scene, state.ray);
+  const Vec3<R>& d = state.ray.direction;
+  const Mask missed = hit.primitive == Int(kNoPrimitive);
+  const Mask escaped = state.alive && missed;
+  const Mask found = state.alive && !missed;
+  Vec3<R> radiance = state.radiance;
+  if (anyLane(escaped)) {
+    const Vec3<R> lit = radiance + state.throughput * environment(scene, d);
+    radiance = select(escaped, lit, radiance);
+  }
+  const Int material = fetchMaterialIndex<R>(scene, select(found, hit.primitive, Int(0)));
+  if (scene.effectEmission) {
+    const Vec3<R> lit = radiance + state.throughput * fetchEmission<R>(scene, material);
+    radiance = select(found, lit, radiance);
+  }
+  Mask scatters = found && state.bounce < Int(frame.bounces);
+  if (!scene.effectIndirect) {
+    scatters = scatters && state.bounce < Int(1);
+  }
+  PathState<R> arrived = state;
+  arrived.radiance = radiance;
+  arrived.alive = Mask(false);
+  Vertex<R> result{arrived, scatters, material, Vec3<R>(), Vec3<R>(), Vec3<R>()};
+  if (anyLane(scatters)) {
+    const Surface<R> surface = surfaceAt(scene, state.ray, hit);
+    result.position = surface.position;
+    result.normal = facingNormal(surface.normal, d);
+    result.origin = leavingOrigin(surface, result.normal);
+  }
+  return result;
+}
+
+template <class R>
+PathState<R> withLight(const Vertex<R>& vertex, const Vec3<R>& light) {
+  const Vec3<R> lit = vertex.state.radiance + vertex.state.throughput * light;
+  PathState<R> result = vertex.state;
+  result.radiance = select(vertex.scatters, lit, vertex.state.radiance);
+  return result;
+}
+
+/// The path's next ray, unless nothing of its throughput is left.
+template <class R>
+PathState<R> leave(const Vertex<R>& vertex, const PathState<R>& state, const Vec3<R>& direction,
+                   const Vec3<R>& weight) {
+  const Vec3<R> throughput = state.throughput * weight;
+  PathState<R> result = state;
+  result.throughput = throughput;
+  result.ray = makeRay(vertex.origin, direction, R(0.0f), R(kLargest));
+  result.bounce = state.bounce + IntOf<R>(1);
+  result.alive = vertex.scatters && !isBlack(throughput);
+  return result;
+}
+
+TWINTRACE_KERNEL_END

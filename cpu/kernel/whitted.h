@@ -1,0 +1,61 @@
+#pragma once
+
+// Twin of shaders/whitted.glsl: integrators `local` (eq. 1) and `whitted` (eq. 2).
+
+#include "cpu/kernel/light.h"
+#include "cpu/kernel/vertex.h"
+
+TWINTRACE_KERNEL_BEGIN
+
+/// Eq. 1 without k_e. Changed: the visibility g belongs to each light, not to the whole sum.
+template <class R>
+Vec3<R> localIllumination(const SceneView& scene, const Vec3<R>& origin, const Vec3<R>& normal,
+                          const Vec3<R>& d, const LocalShading<R>& material,
+                          const SampleKey<R>& key, IntOf<R> bounce) {
+  Vec3<R> sum = material.ambient * fetchEnvironmentRadiance<R>(scene);
+  for (int i = 0; i < scene.index.lightCount; ++i) {
+    const int dimension = kDimensionLight + i * kDimensionsPerLight;
+    const R u = noise<R>(scene, key, bounce, dimension);
+    const R v = noise<R>(scene, key, bounce, dimension + 1);
+    const LightSample<R> light = sampleLight(scene, fetchLight<R>(scene, i), origin, u, v);
+    const Vec3<R> halfway = normalize3(light.direction - d);
+    const R lambert = greatest(dot3(normal, light.direction), R(0.0f));
+    const R highlight = power(dot3(halfway, normal), material.exponent);
+    const Vec3<R> diffuse = material.albedo * lambert;
+    const Vec3<R> shaded = (diffuse + material.highlight * highlight) * light.value;
+    const MaskOf<R> faces = lambert > R(0.0f);
+    const MaskOf<R> blocked =
+        occluded(scene, makeRay(origin, light.direction, R(0.0f), light.distance));
+    sum = sum + select(faces && !blocked, shaded, Vec3<R>());
+  }
+  return sum;
+}
+
+template <class R>
+PathState<R> stepLocal(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+  const Vertex<R> vertex = arrive(scene, state, frame);
+  PathState<R> result = vertex.state;
+  if (anyLane(vertex.scatters)) {
+    const Vec3<R> local = localIllumination(
+        scene, vertex.origin, vertex.normal, state.ray.direction,
+        fetchLocalShading<R>(scene, vertex.material), state.key, state.bounce);
+    result = withLight(vertex, local);
+  }
+  return result;
+}
+
+template <class R>
+PathState<R> stepWhitted(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+  const Vertex<R> vertex = arrive(scene, state, frame);
+  PathState<R> result = vertex.state;
+  if (!anyLane(vertex.scatters)) return result;
+  const Vec3<R>& d = state.ray.direction;
+  const Vec3<R> local =
+      localIllumination(scene, vertex.origin, vertex.normal, d,
+                        fetchLocalShading<R>(scene, vertex.material), state.key, state.bounce);
+  result = withLight(vertex, local);
+  const Vec3<R> mirrored = reflect3(d, vertex.normal);
+  return leave(vertex, result, mirrored, fetchReflectance<R>(scene, vertex.material).specular);
+}
+
+TWINTRACE_KERNEL_END

@@ -1,0 +1,36 @@
+#include "cpu/flush_denormals.h"
+#include "cpu/kernel/integrator.h"
+#include "cpu/kernel_entry.h"
+
+namespace twintrace {
+namespace {
+
+template <class R>
+__attribute__((flatten)) void renderTileScalar(const FrameJob& job, const Tile& tile) {
+  const FlushDenormals flush;
+  const kernel::SceneView scene = kernel::viewScene(*job.scene, *job.options, job.hull);
+  const int width = job.scene->width;
+  const kernel::Frame frame{width, job.options->bounces, job.passes, job.firstSample,
+                            job.options->seed};
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      const kernel::Vec3<R> sum = kernel::renderPixel<R>(scene, x, y, frame);
+      float* out = job.sums + 3 * (static_cast<std::size_t>(y) * width + x);
+      out[0] = static_cast<float>(kernel::plainNumber(sum.x));
+      out[1] = static_cast<float>(kernel::plainNumber(sum.y));
+      out[2] = static_cast<float>(kernel::plainNumber(sum.z));
+    }
+  }
+}
+
+}  // namespace
+
+void renderTileFloat(const FrameJob& job, const Tile& tile) { renderTileScalar<float>(job, tile); }
+void renderTileNative(const FrameJob& job, const Tile& tile) {
+  renderTileScalar<kernel::NativeFloat>(job, tile);
+}
+void renderTileDouble(const FrameJob& job, const Tile& tile) {
+  renderTileScalar<double>(job, tile);
+}
+
+}  // namespace twintrace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "common/scene/flat_scene.h"
+#include "gpu/shader_source.h"
+
+namespace twintrace {
+
+/// Scenes with more primitives than this keep their geometry in the texel array.
+inline constexpr int kMaxLiteralPrimitives = 64;
+
+/// Whether the program gets the geometry as literals: asked for, or automatic and small enough.
+/// @throws UsageError if literals were asked for and the scene has too many primitives.
+bool usesLiteralGeometry(const FlatScene& scene, const RenderOptions& options);
+
+/// Whether counts and offsets are uniforms, so that one program serves every scene: with all effects
+/// compiled in and the geometry in the texel array.
+bool usesUniformIndex(const FlatScene& scene, const RenderOptions& options);
+
+/// Names and values of the scene's counts and offsets as the shaders know them.
+std::vector<std::pair<std::string, int>> indexConstants(const SceneIndex& index);
+
+/// The program that renders this scene under these options.
+ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options);
+
+}  // namespace twintrace

@@ -1,0 +1,35 @@
+// All primitives against one ray, from the texel array. For small scenes a generated file with the
+// same function stands in for this one, with the geometry as literals.
+#pragma once
+
+#include "intersect.glsl"
+#include "scene_access.glsl"
+
+Hit visitGeometry(Ray ray, Hit start) {
+  precise Hit best = start;
+  int primitive = 0;
+  if (kEffectSphere) {
+    for (int i = 0; i < kSphereCount; ++i) {
+      best = nearer(best, intersectSphere(ray, fetchSphere(i)), primitive + i);
+    }
+  }
+  primitive += kSphereCount;
+  if (kEffectBox) {
+    for (int i = 0; i < kBoxCount; ++i) {
+      best = nearer(best, intersectBox(ray, fetchBox(i)), primitive + i);
+    }
+  }
+  primitive += kBoxCount;
+  if (kEffectOrientedBox) {
+    for (int i = 0; i < kOrientedBoxCount; ++i) {
+      best = nearer(best, intersectOrientedBox(ray, fetchOrientedBox(i)), primitive + i);
+    }
+  }
+  primitive += kOrientedBoxCount;
+  if (kEffectPlane) {
+    for (int i = 0; i < kPlaneCount; ++i) {
+      best = nearer(best, intersectPlane(ray, fetchPlane(i)), primitive + i);
+    }
+  }
+  return best;
+}

@@ -1,0 +1,23 @@
+// Compute stage: one pixel of a frame per invocation.
+#include "mains/uniforms.glsl"
+
+#include "integrator.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(std430, binding = 0) writeonly buffer FrameSums {
+  float frameSums[];
+};
+
+void main() {
+  int x = int(gl_GlobalInvocationID.x);
+  int y = int(gl_GlobalInvocationID.y);
+  if (x >= filmWidth || y >= filmHeight) {
+    return;
+  }
+  Frame frame = Frame(filmWidth, bounceLimit, passCount, firstSampleIndex, seedValue);
+  precise vec3 sum = renderPixel(x, y, frame);
+  int at = 3 * (y * filmWidth + x);
+  frameSums[at] = sum.x;
+  frameSums[at + 1] = sum.y;
+  frameSums[at + 2] = sum.z;
+}

@@ -1,0 +1,18 @@
+// What the mains and the scene-access file read from outside.
+#pragma once
+
+uniform usamplerBuffer sceneTexels;
+uniform vec3 cameraOrigin;
+uniform vec3 cameraCorner;
+uniform vec3 cameraStepX;
+uniform vec3 cameraStepY;
+uniform vec3 cameraLensX;
+uniform vec3 cameraLensY;
+uniform vec3 environmentRadiance;
+uniform float environmentTurn;
+uniform int filmWidth;
+uniform int filmHeight;
+uniform int bounceLimit;
+uniform int passCount;
+uniform uint firstSampleIndex;
+uniform uint seedValue;

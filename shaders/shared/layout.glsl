@@ -1,0 +1,41 @@
+// Record layout and named constants that the shaders and the C++ tracer read from this one text.
+// Scene data is one array of 128-bit texels; floats are stored as their bit patterns.
+#pragma once
+
+// Texels per record.
+const int kSphereTexels = 1;       // centre.xyz, radius
+const int kBoxTexels = 2;          // minimum.xyz, -; maximum.xyz, -
+const int kOrientedBoxTexels = 5;  // centre; axis x; axis y; axis z (unit); half size
+const int kPlaneTexels = 2;        // point; normal (unit)
+const int kInfoTexels = 1;         // material index (int), object index (int)
+const int kMaterialTexels = 7;     // see fetchMaterial
+const int kLightTexels = 3;        // see fetchLight
+
+// Lobe codes of a material's specular part.
+const int kLobeNone = 0;
+const int kLobeMirror = 1;
+const int kLobeGgx = 2;
+const int kLobePhong = 3;
+
+// Light kinds.
+const int kLightPoint = 0;
+const int kLightSphere = 1;
+const int kLightSun = 2;
+
+// A hit's primitive when nothing was hit; larger than any index, so that a candidate at exactly the
+// end of the ray's closed interval still wins the tie.
+const int kNoPrimitive = 0x7fffffff;
+
+// Random dimensions. A decision's counter is kCounterStride * bounce + dimension; no two decisions
+// of a path share one, except in the report's estimator, on purpose.
+const int kCounterStride = 8192;
+const int kDimensionPixelX = 0;
+const int kDimensionPixelY = 1;
+const int kDimensionLensRadius = 2;
+const int kDimensionLensAngle = 3;
+const int kDimensionLobe = 4;
+const int kDimensionDirectionU = 5;
+const int kDimensionDirectionV = 6;
+const int kDimensionLight = 16;  // light i uses the kDimensionsPerLight from 16 + 4 i on
+const int kDimensionsPerLight = 4;
+const int kMaxLights = 2000;  // so that a light's dimensions stay below kCounterStride

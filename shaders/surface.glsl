@@ -1,0 +1,189 @@
+// The surface at a hit: a point that lies on it to within a few ulp, its normal, and how far a new
+// ray's origin must move to have left it.
+#pragma once
+
+#include "intersect.glsl"
+#include "scene_access.glsl"
+
+struct Surface {
+  vec3 position;
+  vec3 normal;   // unit; outward for spheres and boxes, as authored for planes
+  float offset;  // distance along the normal that clears the surface
+};
+
+// A re-projected point is off by at most about 4 roundings of the largest coordinate involved, and
+// the next intersection errs by as much again: 12 units of 2^-24.
+const float kOffsetScale = 7.2e-7f;
+
+// The report's fixed offset, in scene units.
+const float kReportOffset = 1e-4f;
+
+float largestCoordinate(vec3 v) {
+  precise vec3 size = vec3(absolute(v.x), absolute(v.y), absolute(v.z));
+  precise float result = largestComponent(size);
+  return result;
+}
+
+Surface sphereSurface(Ray ray, float t, Sphere sphere) {
+  precise vec3 outward = normalize3(pointAt(ray, t) - sphere.center);
+  precise vec3 position = sphere.center + outward * sphere.radius;
+  precise float offset = (largestCoordinate(sphere.center) + sphere.radius) * kOffsetScale;
+  precise Surface result = Surface(position, outward, offset);
+  return result;
+}
+
+// How far the slab plane at `bound` is from being the one that was hit, and the best so far.
+struct FaceChoice {
+  float error;
+  vec3 normal;
+};
+
+FaceChoice closerFace(FaceChoice best, float t, float planeT, vec3 normal) {
+  precise float error = absolute(planeT - t);
+  bool better = error < best.error;
+  precise FaceChoice result =
+      FaceChoice(select(better, error, best.error), select(better, normal, best.normal));
+  return result;
+}
+
+// The face whose plane distance, computed as in intersectBoxRobust, is t. NaN never is the closer.
+FaceChoice hitFace(Ray ray, float t, Box box) {
+  precise vec3 low = (box.minimum - ray.origin) * ray.inverse;
+  precise vec3 high = (box.maximum - ray.origin) * ray.inverse;
+  precise FaceChoice best = FaceChoice(kInfinity, vec3(0.0f, 1.0f, 0.0f));
+  best = closerFace(best, t, low.x, vec3(-1.0f, 0.0f, 0.0f));
+  best = closerFace(best, t, low.y, vec3(0.0f, -1.0f, 0.0f));
+  best = closerFace(best, t, low.z, vec3(0.0f, 0.0f, -1.0f));
+  best = closerFace(best, t, high.x, vec3(1.0f, 0.0f, 0.0f));
+  best = closerFace(best, t, high.y, vec3(0.0f, 1.0f, 0.0f));
+  best = closerFace(best, t, high.z, vec3(0.0f, 0.0f, 1.0f));
+  return best;
+}
+
+// The coordinate on the hit face: exactly the bound on the face's axis, held inside the box on the
+// others.
+float snapToFace(float x, float low, float high, float outward) {
+  precise float held = clampTo(x, low, high);
+  precise float lowOrHeld = select(outward < 0.0f, low, held);
+  precise float result = select(outward > 0.0f, high, lowOrHeld);
+  return result;
+}
+
+Surface boxSurface(Ray ray, float t, Box box) {
+  precise vec3 normal = hitFace(ray, t, box).normal;
+  precise vec3 p = pointAt(ray, t);
+  precise vec3 position = vec3(snapToFace(p.x, box.minimum.x, box.maximum.x, normal.x),
+                               snapToFace(p.y, box.minimum.y, box.maximum.y, normal.y),
+                               snapToFace(p.z, box.minimum.z, box.maximum.z, normal.z));
+  precise float low = largestCoordinate(box.minimum);
+  precise float offset = greatest(low, largestCoordinate(box.maximum)) * kOffsetScale;
+  precise Surface result = Surface(position, normal, offset);
+  return result;
+}
+
+// The report's box normal: axes on which the point lies within 1e-4 of a face, added and normalised;
+// a point that lies near none has no normal (NaN).
+vec3 reportBoxNormal(vec3 p, vec3 center, vec3 halfSize) {
+  precise vec3 from = p - center;
+  precise float gapX = absolute(absolute(from.x) - halfSize.x);
+  precise float gapY = absolute(absolute(from.y) - halfSize.y);
+  precise float gapZ = absolute(absolute(from.z) - halfSize.z);
+  precise float x = select(gapX < 1e-4f, select(from.x < 0.0f, -1.0f, 1.0f), 0.0f);
+  precise float y = select(gapY < 1e-4f, select(from.y < 0.0f, -1.0f, 1.0f), 0.0f);
+  precise float z = select(gapZ < 1e-4f, select(from.z < 0.0f, -1.0f, 1.0f), 0.0f);
+  precise vec3 result = normalize3(vec3(x, y, z));
+  return result;
+}
+
+Surface reportBoxSurface(Ray ray, float t, Box box) {
+  precise vec3 p = pointAt(ray, t);
+  precise vec3 center = (box.minimum + box.maximum) * 0.5f;
+  precise vec3 halfSize = (box.maximum - box.minimum) * 0.5f;
+  precise Surface result = Surface(p, reportBoxNormal(p, center, halfSize), kReportOffset);
+  return result;
+}
+
+Surface chosenBoxSurface(Ray ray, float t, Box box) {
+  if (kIntersectorReport) {
+    return reportBoxSurface(ray, t, box);
+  }
+  return boxSurface(ray, t, box);
+}
+
+Surface orientedBoxSurface(Ray ray, float t, OrientedBox box) {
+  precise Surface local = chosenBoxSurface(toLocalRay(ray, box), t, toLocalBox(box));
+  precise vec3 position = box.center + toWorldDirection(box, local.position);
+  precise vec3 normal = toWorldDirection(box, local.normal);
+  precise float reach = largestCoordinate(box.center) + largestCoordinate(box.halfSize) * 2.0f;
+  precise float offset = select(kIntersectorReport, kReportOffset, reach * kOffsetScale);
+  precise Surface result = Surface(position, normal, offset);
+  return result;
+}
+
+Surface planeSurface(Ray ray, float t, Plane plane) {
+  precise vec3 p = pointAt(ray, t);
+  precise vec3 position = p - plane.normal * dot3(p - plane.point, plane.normal);
+  precise float reach = greatest(largestCoordinate(position), largestCoordinate(plane.point));
+  precise Surface result = Surface(position, plane.normal, reach * kOffsetScale);
+  return result;
+}
+
+Surface chosenSurface(bool condition, Surface a, Surface b) {
+  precise vec3 position = select(condition, a.position, b.position);
+  precise vec3 normal = select(condition, a.normal, b.normal);
+  precise float offset = select(condition, a.offset, b.offset);
+  precise Surface result = Surface(position, normal, offset);
+  return result;
+}
+
+// The surface at a hit; for a miss, some surface without meaning.
+Surface surfaceAt(Ray ray, Hit hit) {
+  precise Surface result = Surface(vec3(0.0f), vec3(0.0f, 1.0f, 0.0f), 0.0f);
+  int first = 0;
+  if (kEffectSphere) {
+    bool here = hit.primitive < kSphereCount;
+    if (anyLane(here)) {
+      precise Sphere sphere = fetchSphere(select(here, hit.primitive, 0));
+      precise Surface found = sphereSurface(ray, hit.t, sphere);
+      result = chosenSurface(here, found, result);
+    }
+  }
+  first += kSphereCount;
+  if (kEffectBox) {
+    bool here = hit.primitive >= first && hit.primitive < first + kBoxCount;
+    if (anyLane(here)) {
+      precise Box box = fetchBox(select(here, hit.primitive - first, 0));
+      precise Surface found = chosenBoxSurface(ray, hit.t, box);
+      result = chosenSurface(here, found, result);
+    }
+  }
+  first += kBoxCount;
+  if (kEffectOrientedBox) {
+    bool here = hit.primitive >= first && hit.primitive < first + kOrientedBoxCount;
+    if (anyLane(here)) {
+      precise OrientedBox box = fetchOrientedBox(select(here, hit.primitive - first, 0));
+      precise Surface found = orientedBoxSurface(ray, hit.t, box);
+      result = chosenSurface(here, found, result);
+    }
+  }
+  first += kOrientedBoxCount;
+  if (kEffectPlane) {
+    bool here = hit.primitive >= first && hit.primitive < first + kPlaneCount;
+    if (anyLane(here)) {
+      precise Plane plane = fetchPlane(select(here, hit.primitive - first, 0));
+      precise Surface found = planeSurface(ray, hit.t, plane);
+      result = chosenSurface(here, found, result);
+    }
+  }
+  if (kIntersectorReport) {
+    result.position = pointAt(ray, hit.t);
+    result.offset = kReportOffset;
+  }
+  return result;
+}
+
+// Origin for a ray that leaves the surface along the side of `facing`, the normal or its opposite.
+vec3 leavingOrigin(Surface surface, vec3 facing) {
+  precise vec3 result = surface.position + facing * surface.offset;
+  return result;
+}

@@ -1,0 +1,55 @@
+// Integrators `local` (Phong illumination, eq. 1) and `whitted` (eq. 2: local plus the mirror
+// reflection). Whitted 1980, "An Improved Illumination Model for Shaded Display".
+#pragma once
+
+#include "light.glsl"
+#include "vertex.glsl"
+
+// Eq. 1 without k_e. Changed: the visibility g belongs to each light, not to the whole sum.
+vec3 localIllumination(vec3 origin, vec3 normal, vec3 d, LocalShading material, SampleKey key,
+                       int bounce) {
+  precise vec3 sum = material.ambient * fetchEnvironmentRadiance();
+  for (int i = 0; i < kLightCount; ++i) {
+    int dimension = kDimensionLight + i * kDimensionsPerLight;
+    precise float u = noise(key, bounce, dimension);
+    precise float v = noise(key, bounce, dimension + 1);
+    precise LightSample light = sampleLight(fetchLight(i), origin, u, v);
+    precise vec3 halfway = normalize3(light.direction - d);
+    precise float lambert = greatest(dot3(normal, light.direction), 0.0f);
+    precise float highlight = power(dot3(halfway, normal), material.exponent);
+    precise vec3 diffuse = material.albedo * lambert;
+    precise vec3 shaded = (diffuse + material.highlight * highlight) * light.value;
+    bool faces = lambert > 0.0f;
+    bool blocked = occluded(makeRay(origin, light.direction, 0.0f, light.distance));
+    sum = sum + select(faces && !blocked, shaded, vec3(0.0f));
+  }
+  return sum;
+}
+
+PathState stepLocal(PathState state, Frame frame) {
+  precise Vertex vertex = arrive(state, frame);
+  precise PathState result = vertex.state;
+  if (anyLane(vertex.scatters)) {
+    precise vec3 local =
+        localIllumination(vertex.origin, vertex.normal, state.ray.direction,
+                          fetchLocalShading(vertex.material), state.key, state.bounce);
+    result = withLight(vertex, local);
+  }
+  return result;
+}
+
+PathState stepWhitted(PathState state, Frame frame) {
+  precise Vertex vertex = arrive(state, frame);
+  precise PathState result = vertex.state;
+  if (!anyLane(vertex.scatters)) {
+    return result;
+  }
+  precise vec3 d = state.ray.direction;
+  precise vec3 local = localIllumination(vertex.origin, vertex.normal, d,
+                                         fetchLocalShading(vertex.material), state.key,
+                                         state.bounce);
+  result = withLight(vertex, local);
+  precise vec3 mirrored = reflect3(d, vertex.normal);
+  result = leave(vertex, result, mirrored, fetchReflectance(vertex.material).specular);
+  return result;
+}
