@@ -1,0 +1,98 @@
+#include "cpu/kernel_caster.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "cpu/embree_hull.h"
+#include "cpu/flush_denormals.h"
+#include "cpu/kernel/surface.h"
+#include "cpu/kernel/traverse.h"
+
+namespace twintrace {
+namespace {
+
+/// Rays per task: some 100 microseconds of work even in small scenes.
+constexpr std::size_t kGrain = 1024;
+
+bool isFinite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Whether there is anything to hit along the ray; needs DAZ for denormals to be zeros.
+bool isCastable(const CastRay& ray) {
+  const glm::vec3& d = ray.direction;
+  return isFinite(ray.origin) && isFinite(d) && (d.x != 0.0f || d.y != 0.0f || d.z != 0.0f) &&
+         ray.tmin <= ray.tmax;
+}
+
+template <class R>
+kernel::Vec3<R> toKernel(const glm::vec3& v) {
+  return {R(v.x), R(v.y), R(v.z)};
+}
+
+template <class R>
+float toFloat(R x) {
+  return static_cast<float>(kernel::plainNumber(x));
+}
+
+template <class R>
+CastHit castOne(const kernel::SceneView& scene, const CastRay& ray) {
+  if (!isCastable(ray)) return {};
+  // An infinite end would make a miss, t = infinity, a hit at the end of the closed interval.
+  const R tmax(std::min(ray.tmax, kernel::kLargest));
+  const kernel::Ray<R> kernelRay =
+      kernel::makeRay(toKernel<R>(ray.origin), toKernel<R>(ray.direction), R(ray.tmin), tmax);
+  const kernel::Hit<R> hit = kernel::closestHit(scene, kernelRay);
+  if (hit.primitive == kernel::kNoPrimitive) return {};
+  const kernel::Vec3<R> normal = kernel::surfaceAt(scene, kernelRay, hit).normal;
+  return {toFloat(hit.t), hit.primitive,
+          {toFloat(normal.x), toFloat(normal.y), toFloat(normal.z)}};
+}
+
+template <class R>
+class KernelCaster : public RayCaster {
+ public:
+  KernelCaster(std::shared_ptr<const FlatScene> scene, const RenderOptions& options)
+      : scene_(std::move(scene)),
+        hull_(options.hull == "embree" ? makeEmbreeHull(*scene_, options) : nullptr),
+        view_(kernel::viewScene(*scene_, options, hull_.get())),
+        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+
+  std::vector<CastHit> cast(std::span<const CastRay> rays) override {
+    std::vector<CastHit> hits(rays.size());
+    const tbb::blocked_range<std::size_t> all(0, rays.size(), kGrain);
+    arena_.execute([&] {
+      tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
+        const FlushDenormals flush;
+        for (std::size_t i = part.begin(); i < part.end(); ++i) {
+          hits[i] = castOne<R>(view_, rays[i]);
+        }
+      });
+    });
+    return hits;
+  }
+
+  std::string name() const override { return std::is_same_v<R, double> ? "cpu64" : "cpu"; }
+
+ private:
+  std::shared_ptr<const FlatScene> scene_;
+  std::unique_ptr<HullQuery> hull_;
+  kernel::SceneView view_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace
+
+std::unique_ptr<RayCaster> makeKernelCaster(std::shared_ptr<const FlatScene> scene,
+                                            const RenderOptions& options) {
+  if (options.precision == Precision::float64) {
+    return std::make_unique<KernelCaster<double>>(std::move(scene), options);
+  }
+  if (options.maths == Maths::native) {
+    return std::make_unique<KernelCaster<kernel::NativeFloat>>(std::move(scene), options);
+  }
+  return std::make_unique<KernelCaster<float>>(std::move(scene), options);
+}
+
+}  // namespace twintrace
