@@ -94,6 +94,7 @@ TEST_CASE("varianceOf is the sample variance", "[film]") {
   CHECK(varianceOf(sumOf({5.0f}), 1) == 0.0);
   CHECK(varianceOf(sumOf({1.0f, 3.0f}), 2) == 2.0);
   CHECK(varianceOf(sumOf({-1.0f, 0.0f, 1.0f}), 3) == 1.0);
+  CHECK(varianceOf(sumOf({0.25f, 1.0f}), 2) == 0.28125);  // 2.125 - 1.5625 borrows from the whole
 }
 
 TEST_CASE("varianceOf loses nothing to cancellation on a large mean", "[film]") {
