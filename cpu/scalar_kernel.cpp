@@ -6,7 +6,7 @@ namespace twintrace {
 namespace {
 
 template <class R>
-__attribute__((flatten)) void renderTileScalar(const FrameJob& job, const Tile& tile) {
+void renderTileScalar(const FrameJob& job, const Tile& tile) {
   const FlushDenormals flush;
   const kernel::SceneView scene = kernel::viewScene(*job.scene, *job.options, job.hull);
   const int width = job.scene->width;

@@ -24,21 +24,20 @@ vec3 directLight(vec3 origin, vec3 normal, vec3 d, Reflectance material, SampleK
 // One vertex: the light found there, and the next ray.
 PathState stepPath(PathState state, Frame frame) {
   precise Vertex vertex = arrive(state, frame);
-  precise PathState result = vertex.state;
+  precise vec3 radiance = vertex.radiance;
   if (!anyLane(vertex.scatters)) {
-    return result;
+    return stop(state, radiance);
   }
   precise vec3 d = state.ray.direction;
   if (kEffectPointLight || kEffectSphereLight || kEffectSunLight) {
     precise vec3 direct = directLight(vertex.origin, vertex.normal, d,
                                       fetchReflectance(vertex.material), state.key, state.bounce);
-    result = withLight(vertex, direct);
+    radiance = withLight(vertex, state.throughput, direct);
   }
   precise ScatterSample next = sampleScattering(
       fetchScattering(vertex.material), vertex.normal, d,
       noise(state.key, state.bounce, kDimensionLobe),
       noise(state.key, state.bounce, kDimensionDirectionU),
       noise(state.key, state.bounce, kDimensionDirectionV));
-  result = leave(vertex, result, next.direction, next.weight);
-  return result;
+  return leave(state, vertex, radiance, next.direction, next.weight);
 }

@@ -54,9 +54,9 @@ vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int
 
 PathState stepReport(PathState state, Frame frame) {
   precise Vertex vertex = arrive(state, frame);
-  precise PathState result = vertex.state;
+  precise vec3 radiance = vertex.radiance;
   if (!anyLane(vertex.scatters)) {
-    return result;
+    return stop(state, radiance);
   }
   precise vec3 normal = vertex.normal;
   precise Scattering chances = fetchScattering(vertex.material);
@@ -64,7 +64,7 @@ PathState stepReport(PathState state, Frame frame) {
   if (kEffectPointLight || kEffectSphereLight || kEffectSunLight) {
     precise vec3 direct =
         reportDirectLight(vertex.origin, normal, colours.albedo, state.key, state.bounce);
-    result = withLight(vertex, direct);
+    radiance = withLight(vertex, state.throughput, direct);
   }
   precise RandomPair random = reportRandom(state.key, vertex.position, state.bounce);
   bool specular = random.first < chances.specularChance;
@@ -78,6 +78,5 @@ PathState stepReport(PathState state, Frame frame) {
   precise float raised = select(specular, cosine * chances.phongScale, cosine);
   precise float factor = clampTo(raised, 0.0f, 1.0f);
   precise vec3 weight = select(specular, colours.specular, colours.albedo) * factor;
-  result = leave(vertex, result, direction, weight);
-  return result;
+  return leave(state, vertex, radiance, direction, weight);
 }

@@ -58,35 +58,36 @@ int fetchMaterialIndex(int primitive) {
 }
 
 vec3 fetchEmission(int material) {
-  precise vec3 result = floats3(fetchTexel(kMaterialOffset + material * kMaterialTexels + 2));
+  precise vec3 result = floats3(fetchTexel(kMaterialOffset + material * kMaterialTexels + 5));
   return result;
 }
 
 Scattering fetchScattering(int material) {
   int at = kMaterialOffset + material * kMaterialTexels;
-  uvec4 first = fetchTexel(at);
-  uvec4 second = fetchTexel(at + 1);
-  precise Scattering result = Scattering(
-      floats3(first), floats3(second), float4th(first), float4th(second),
-      float4th(fetchTexel(at + 4)), float4th(fetchTexel(at + 5)), int(fetchTexel(at + 2).w));
+  uvec4 diffuse = fetchTexel(at);
+  uvec4 specular = fetchTexel(at + 1);
+  precise vec3 lobe = floats3(fetchTexel(at + 2));
+  precise Scattering result =
+      Scattering(floats3(diffuse), floats3(specular), float4th(diffuse), lobe.x, lobe.y, lobe.z,
+                 int(specular.w));
   return result;
 }
 
 Reflectance fetchReflectance(int material) {
   int at = kMaterialOffset + material * kMaterialTexels;
-  uvec4 third = fetchTexel(at + 3);
-  precise Reflectance result =
-      Reflectance(floats3(third), floats3(fetchTexel(at + 4)), float4th(fetchTexel(at + 1)),
-                  float4th(third), int(fetchTexel(at + 2).w));
+  uvec4 lobe = fetchTexel(at + 2);
+  precise Reflectance result = Reflectance(
+      floats3(fetchTexel(at + 3)), floats3(fetchTexel(at + 4)), floats3(lobe).x, float4th(lobe),
+      int(fetchTexel(at + 1).w));
   return result;
 }
 
 LocalShading fetchLocalShading(int material) {
   int at = kMaterialOffset + material * kMaterialTexels;
-  uvec4 last = fetchTexel(at + 6);
+  uvec4 highlight = fetchTexel(at + 7);
   precise LocalShading result =
-      LocalShading(floats3(fetchTexel(at + 3)), floats3(last), float4th(last),
-                   floats3(fetchTexel(at + 5)));
+      LocalShading(floats3(fetchTexel(at + 3)), floats3(highlight), float4th(highlight),
+                   floats3(fetchTexel(at + 6)));
   return result;
 }
 

@@ -6,10 +6,10 @@
 #include "surface.glsl"
 #include "traverse.glsl"
 
-// State has the light found at the vertex added and is no longer alive; where `scatters` holds the
-// integrator decides how the path goes on. Elsewhere the other members have no meaning.
+// Radiance has the light found at the vertex added. Where `scatters` holds the integrator decides
+// how the path goes on; elsewhere the members after it have no meaning.
 struct Vertex {
-  PathState state;
+  vec3 radiance;
   bool scatters;
   int material;
   vec3 position;
@@ -37,11 +37,8 @@ Vertex arrive(PathState state, Frame frame) {
   if (!kEffectIndirect) {
     scatters = scatters && state.bounce < 1;
   }
-  precise PathState arrived = state;
-  arrived.radiance = radiance;
-  arrived.alive = false;
   precise vec3 none = vec3(0.0f);
-  precise Vertex result = Vertex(arrived, scatters, material, none, none, none);
+  precise Vertex result = Vertex(radiance, scatters, material, none, none, none);
   if (anyLane(scatters)) {
     precise Surface surface = surfaceAt(state.ray, hit);
     result.position = surface.position;
@@ -51,20 +48,26 @@ Vertex arrive(PathState state, Frame frame) {
   return result;
 }
 
-PathState withLight(Vertex vertex, vec3 light) {
-  precise vec3 lit = vertex.state.radiance + vertex.state.throughput * light;
-  precise PathState result = vertex.state;
-  result.radiance = select(vertex.scatters, lit, vertex.state.radiance);
+// The path's radiance with `light` from the vertex added.
+vec3 withLight(Vertex vertex, vec3 throughput, vec3 light) {
+  precise vec3 lit = vertex.radiance + throughput * light;
+  precise vec3 result = select(vertex.scatters, lit, vertex.radiance);
+  return result;
+}
+
+// A path that ends at the vertex.
+PathState stop(PathState state, vec3 radiance) {
+  precise PathState result =
+      PathState(state.key, state.ray, state.throughput, radiance, state.bounce, false);
   return result;
 }
 
 // The path's next ray, unless nothing of its throughput is left.
-PathState leave(Vertex vertex, PathState state, vec3 direction, vec3 weight) {
+PathState leave(PathState state, Vertex vertex, vec3 radiance, vec3 direction, vec3 weight) {
   precise vec3 throughput = state.throughput * weight;
-  precise PathState result = state;
-  result.throughput = throughput;
-  result.ray = makeRay(vertex.origin, direction, 0.0f, kLargest);
-  result.bounce = state.bounce + 1;
-  result.alive = vertex.scatters && !isBlack(throughput);
+  precise Ray ray = makeRay(vertex.origin, direction, 0.0f, kLargest);
+  bool alive = vertex.scatters && !isBlack(throughput);
+  precise PathState result =
+      PathState(state.key, ray, throughput, radiance, state.bounce + 1, alive);
   return result;
 }

@@ -28,28 +28,27 @@ vec3 localIllumination(vec3 origin, vec3 normal, vec3 d, LocalShading material, 
 
 PathState stepLocal(PathState state, Frame frame) {
   precise Vertex vertex = arrive(state, frame);
-  precise PathState result = vertex.state;
+  precise vec3 radiance = vertex.radiance;
   if (anyLane(vertex.scatters)) {
     precise vec3 local =
         localIllumination(vertex.origin, vertex.normal, state.ray.direction,
                           fetchLocalShading(vertex.material), state.key, state.bounce);
-    result = withLight(vertex, local);
+    radiance = withLight(vertex, state.throughput, local);
   }
-  return result;
+  return stop(state, radiance);
 }
 
 PathState stepWhitted(PathState state, Frame frame) {
   precise Vertex vertex = arrive(state, frame);
-  precise PathState result = vertex.state;
   if (!anyLane(vertex.scatters)) {
-    return result;
+    return stop(state, vertex.radiance);
   }
   precise vec3 d = state.ray.direction;
   precise vec3 local = localIllumination(vertex.origin, vertex.normal, d,
                                          fetchLocalShading(vertex.material), state.key,
                                          state.bounce);
-  result = withLight(vertex, local);
+  precise vec3 radiance = withLight(vertex, state.throughput, local);
   precise vec3 mirrored = reflect3(d, vertex.normal);
-  result = leave(vertex, result, mirrored, fetchReflectance(vertex.material).specular);
-  return result;
+  precise vec3 reflectance = fetchReflectance(vertex.material).specular;
+  return leave(state, vertex, radiance, mirrored, reflectance);
 }

@@ -124,12 +124,14 @@ std::vector<glm::uvec4> materialRecord(const Material& material) {
   const double smoothness = 1.0 - material.roughness;
   const double exponent = std::pow(1000.0, smoothness * smoothness);
   const float alpha = material.roughness * material.roughness;
+  const glm::vec3 lobe(alpha, (exponent + 2.0) / (exponent + 1.0), 1.0 / (exponent + 1.0));
   return {texel(albedoWeight, float(chance)),
-          texel(specularWeight, alpha),
-          texel(material.emission, lobeCode(material)),
-          texel(material.albedo, float(exponent)),
-          texel(material.specular, float((exponent + 2.0) / (exponent + 1.0))),
-          texel(material.ambient, float(1.0 / (exponent + 1.0))),
+          texel(specularWeight, lobeCode(material)),
+          texel(lobe, float(exponent)),
+          texel(material.albedo),
+          texel(material.specular),
+          texel(material.emission),
+          texel(material.ambient),
           texel(material.highlight, material.exponent)};
 }
 

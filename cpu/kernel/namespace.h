@@ -12,3 +12,7 @@
 #define TWINTRACE_KERNEL_END \
   }                          \
   }
+
+// A step of a path: one function with everything that it calls inlined, since records of wide numbers
+// are slow to pass, but apart from the other integrators', since their common stack frame is not.
+#define TWINTRACE_STEP __attribute__((noinline, flatten))

@@ -134,6 +134,12 @@ inline std::int32_t toInt(NativeFloat x) { return static_cast<std::int32_t>(x.va
 inline std::int32_t bitsOf(float x) { return std::bit_cast<std::int32_t>(x); }
 inline float floatFromBits(std::int32_t bits) { return std::bit_cast<float>(bits); }
 
+/// The float of those bits as an R. wide.h has the overload for wide bits.
+template <class R>
+R numberFromBits(std::uint32_t bits) {
+  return R(std::bit_cast<float>(bits));
+}
+
 /// Exact for |x| <= 2^24.
 template <class R>
 R toNumber(std::int32_t x) {

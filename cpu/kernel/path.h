@@ -31,23 +31,23 @@ Vec3<R> directLight(const SceneView& scene, const Vec3<R>& origin, const Vec3<R>
 
 /// One vertex: the light found there, and the next ray.
 template <class R>
-PathState<R> stepPath(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+TWINTRACE_STEP PathState<R> stepPath(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   const Vertex<R> vertex = arrive(scene, state, frame);
-  PathState<R> result = vertex.state;
-  if (!anyLane(vertex.scatters)) return result;
+  Vec3<R> radiance = vertex.radiance;
+  if (!anyLane(vertex.scatters)) return stop(state, radiance);
   const Vec3<R>& d = state.ray.direction;
   if (scene.effectAnyLight()) {
     const Vec3<R> direct =
         directLight(scene, vertex.origin, vertex.normal, d,
                     fetchReflectance<R>(scene, vertex.material), state.key, state.bounce);
-    result = withLight(vertex, direct);
+    radiance = withLight(vertex, state.throughput, direct);
   }
   const ScatterSample<R> next = sampleScattering(
       scene, fetchScattering<R>(scene, vertex.material), vertex.normal, d,
       noise<R>(scene, state.key, state.bounce, kDimensionLobe),
       noise<R>(scene, state.key, state.bounce, kDimensionDirectionU),
       noise<R>(scene, state.key, state.bounce, kDimensionDirectionV));
-  return leave(vertex, result, next.direction, next.weight);
+  return leave(state, vertex, radiance, next.direction, next.weight);
 }
 
 TWINTRACE_KERNEL_END

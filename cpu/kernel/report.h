@@ -62,18 +62,18 @@ Vec3<R> reportDirectLight(const SceneView& scene, const Vec3<R>& origin, const V
 }
 
 template <class R>
-PathState<R> stepReport(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+TWINTRACE_STEP PathState<R> stepReport(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   using Mask = MaskOf<R>;
   const Vertex<R> vertex = arrive(scene, state, frame);
-  PathState<R> result = vertex.state;
-  if (!anyLane(vertex.scatters)) return result;
+  Vec3<R> radiance = vertex.radiance;
+  if (!anyLane(vertex.scatters)) return stop(state, radiance);
   const Vec3<R>& normal = vertex.normal;
   const Scattering<R> chances = fetchScattering<R>(scene, vertex.material);
   const Reflectance<R> colours = fetchReflectance<R>(scene, vertex.material);
   if (scene.effectAnyLight()) {
     const Vec3<R> direct = reportDirectLight(scene, vertex.origin, normal, colours.albedo,
                                              state.key, state.bounce);
-    result = withLight(vertex, direct);
+    radiance = withLight(vertex, state.throughput, direct);
   }
   const RandomPair<R> random = reportRandom<R>(scene, state.key, vertex.position, state.bounce);
   const Mask specular = random.first < chances.specularChance;
@@ -87,7 +87,7 @@ PathState<R> stepReport(const SceneView& scene, const PathState<R>& state, const
   const R raised = select(specular, cosine * chances.phongScale, cosine);
   const R factor = clampTo(raised, R(0.0f), R(1.0f));
   const Vec3<R> weight = select(specular, colours.specular, colours.albedo) * factor;
-  return leave(vertex, result, direction, weight);
+  return leave(state, vertex, radiance, direction, weight);
 }
 
 TWINTRACE_KERNEL_END

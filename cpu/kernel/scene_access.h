@@ -3,30 +3,32 @@
 // Twin of shaders/scene_access.glsl: the only reader of scene data. Index is int where all lanes
 // read the same record, IntOf<R> where each reads its own.
 
+#include <utility>
+
 #include "cpu/kernel/scene_view.h"
 
 TWINTRACE_KERNEL_BEGIN
 
-/// Word `component` (0..3) of a texel as a number. wide.h has the overload for an index per lane.
-template <class R>
-R fetchNumber(const SceneView& scene, std::int32_t texel, int component) {
-  return R(std::bit_cast<float>(scene.words[std::size_t{4} * texel + component]));
-}
+/// Consecutive texels of one record per lane, as bits.
+template <class R, int texelCount>
+struct TexelBlock {
+  UintOf<R> words[4 * texelCount];
 
-template <class R>
-std::int32_t fetchInteger(const SceneView& scene, std::int32_t texel, int component) {
-  return static_cast<std::int32_t>(scene.words[std::size_t{4} * texel + component]);
-}
+  R number(int texel, int component) const { return numberFromBits<R>(words[4 * texel + component]); }
+  Vec3<R> floats3(int texel) const {
+    return {number(texel, 0), number(texel, 1), number(texel, 2)};
+  }
+  R float4th(int texel) const { return number(texel, 3); }
+  IntOf<R> integer(int texel, int component) const { return toSigned(words[4 * texel + component]); }
+};
 
-template <class R, class Index>
-Vec3<R> floats3(const SceneView& scene, Index texel) {
-  return {fetchNumber<R>(scene, texel, 0), fetchNumber<R>(scene, texel, 1),
-          fetchNumber<R>(scene, texel, 2)};
-}
-
-template <class R, class Index>
-R float4th(const SceneView& scene, Index texel) {
-  return fetchNumber<R>(scene, texel, 3);
+/// The record at a texel, the same one in all lanes. wide.h has the overload for one per lane.
+template <class R, int texelCount>
+TexelBlock<R, texelCount> fetchTexels(const SceneView& scene, std::int32_t first) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    const std::uint32_t* words = scene.words + std::size_t{4} * first;
+    return TexelBlock<R, texelCount>{{UintOf<R>(words[i])...}};
+  }(std::make_index_sequence<4 * texelCount>());
 }
 
 template <class R>
@@ -43,81 +45,80 @@ Camera<R> fetchCamera(const SceneView& scene) {
 
 template <class R, class Index>
 Sphere<R> fetchSphere(const SceneView& scene, Index index) {
-  const Index at = index * Index(kSphereTexels) + Index(scene.index.sphereOffset);
-  return {floats3<R>(scene, at), float4th<R>(scene, at)};
+  const auto block = fetchTexels<R, kSphereTexels>(
+      scene, index * Index(kSphereTexels) + Index(scene.index.sphereOffset));
+  return {block.floats3(0), block.float4th(0)};
 }
 
 template <class R, class Index>
 Box<R> fetchBox(const SceneView& scene, Index index) {
-  const Index at = index * Index(kBoxTexels) + Index(scene.index.boxOffset);
-  return {floats3<R>(scene, at), floats3<R>(scene, at + Index(1))};
+  const auto block = fetchTexels<R, kBoxTexels>(
+      scene, index * Index(kBoxTexels) + Index(scene.index.boxOffset));
+  return {block.floats3(0), block.floats3(1)};
 }
 
 template <class R, class Index>
 OrientedBox<R> fetchOrientedBox(const SceneView& scene, Index index) {
-  const Index at = index * Index(kOrientedBoxTexels) + Index(scene.index.orientedBoxOffset);
-  return {floats3<R>(scene, at), floats3<R>(scene, at + Index(1)), floats3<R>(scene, at + Index(2)),
-          floats3<R>(scene, at + Index(3)), floats3<R>(scene, at + Index(4))};
+  const auto block = fetchTexels<R, kOrientedBoxTexels>(
+      scene, index * Index(kOrientedBoxTexels) + Index(scene.index.orientedBoxOffset));
+  return {block.floats3(0), block.floats3(1), block.floats3(2), block.floats3(3),
+          block.floats3(4)};
 }
 
 template <class R, class Index>
 Plane<R> fetchPlane(const SceneView& scene, Index index) {
-  const Index at = index * Index(kPlaneTexels) + Index(scene.index.planeOffset);
-  return {floats3<R>(scene, at), floats3<R>(scene, at + Index(1))};
+  const auto block = fetchTexels<R, kPlaneTexels>(
+      scene, index * Index(kPlaneTexels) + Index(scene.index.planeOffset));
+  return {block.floats3(0), block.floats3(1)};
 }
 
 template <class R>
 IntOf<R> fetchMaterialIndex(const SceneView& scene, IntOf<R> primitive) {
   using Index = IntOf<R>;
-  return fetchInteger<R>(scene, primitive * Index(kInfoTexels) + Index(scene.index.infoOffset), 0);
+  const auto block = fetchTexels<R, kInfoTexels>(
+      scene, primitive * Index(kInfoTexels) + Index(scene.index.infoOffset));
+  return block.integer(0, 0);
 }
 
-/// First texel of a material.
-template <class R>
-IntOf<R> materialTexel(const SceneView& scene, IntOf<R> material) {
-  return material * IntOf<R>(kMaterialTexels) + IntOf<R>(scene.index.materialOffset);
+/// Some consecutive texels of a material's record.
+template <class R, int texelCount>
+TexelBlock<R, texelCount> fetchMaterialTexels(const SceneView& scene, IntOf<R> material,
+                                              int first) {
+  return fetchTexels<R, texelCount>(scene, material * IntOf<R>(kMaterialTexels) +
+                                               IntOf<R>(scene.index.materialOffset + first));
 }
 
 template <class R>
 Vec3<R> fetchEmission(const SceneView& scene, IntOf<R> material) {
-  return floats3<R>(scene, materialTexel<R>(scene, material) + IntOf<R>(2));
+  return fetchMaterialTexels<R, 1>(scene, material, 5).floats3(0);
 }
 
 template <class R>
 Scattering<R> fetchScattering(const SceneView& scene, IntOf<R> material) {
-  using Index = IntOf<R>;
-  const Index at = materialTexel<R>(scene, material);
-  return {floats3<R>(scene, at),
-          floats3<R>(scene, at + Index(1)),
-          float4th<R>(scene, at),
-          float4th<R>(scene, at + Index(1)),
-          float4th<R>(scene, at + Index(4)),
-          float4th<R>(scene, at + Index(5)),
-          fetchInteger<R>(scene, at + Index(2), 3)};
+  const auto block = fetchMaterialTexels<R, 3>(scene, material, 0);
+  return {block.floats3(0),   block.floats3(1),   block.float4th(0),   block.number(2, 0),
+          block.number(2, 1), block.number(2, 2), block.integer(1, 3)};
 }
 
 template <class R>
 Reflectance<R> fetchReflectance(const SceneView& scene, IntOf<R> material) {
-  using Index = IntOf<R>;
-  const Index at = materialTexel<R>(scene, material);
-  return {floats3<R>(scene, at + Index(3)), floats3<R>(scene, at + Index(4)),
-          float4th<R>(scene, at + Index(1)), float4th<R>(scene, at + Index(3)),
-          fetchInteger<R>(scene, at + Index(2), 3)};
+  const auto block = fetchMaterialTexels<R, 4>(scene, material, 1);
+  return {block.floats3(2), block.floats3(3), block.number(1, 0), block.float4th(1),
+          block.integer(0, 3)};
 }
 
 template <class R>
 LocalShading<R> fetchLocalShading(const SceneView& scene, IntOf<R> material) {
-  using Index = IntOf<R>;
-  const Index at = materialTexel<R>(scene, material);
-  return {floats3<R>(scene, at + Index(3)), floats3<R>(scene, at + Index(6)),
-          float4th<R>(scene, at + Index(6)), floats3<R>(scene, at + Index(5))};
+  const auto block = fetchMaterialTexels<R, 5>(scene, material, 3);
+  return {block.floats3(0), block.floats3(4), block.float4th(4), block.floats3(3)};
 }
 
 template <class R>
 Light<R> fetchLight(const SceneView& scene, int index) {
-  const int at = index * kLightTexels + scene.index.lightOffset;
-  return {fetchInteger<float>(scene, at + 2, 0), floats3<R>(scene, at), float4th<R>(scene, at),
-          floats3<R>(scene, at + 1), float4th<R>(scene, at + 1)};
+  const int first = index * kLightTexels + scene.index.lightOffset;
+  const auto block = fetchTexels<R, kLightTexels>(scene, first);
+  const int kind = fetchTexels<float, 1>(scene, first + 2).integer(0, 0);
+  return {kind, block.floats3(0), block.float4th(0), block.floats3(1), block.float4th(1)};
 }
 
 template <class R>
@@ -133,8 +134,9 @@ R fetchEnvironmentTurn(const SceneView& scene) {
 template <class R>
 Vec3<R> fetchEnvironmentPixel(const SceneView& scene, IntOf<R> x, IntOf<R> y) {
   using Index = IntOf<R>;
-  return floats3<R>(scene, y * Index(scene.index.environmentWidth) + x +
-                               Index(scene.index.environmentOffset));
+  return fetchTexels<R, 1>(scene, y * Index(scene.index.environmentWidth) + x +
+                                      Index(scene.index.environmentOffset))
+      .floats3(0);
 }
 
 TWINTRACE_KERNEL_END

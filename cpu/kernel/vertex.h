@@ -9,11 +9,11 @@
 
 TWINTRACE_KERNEL_BEGIN
 
-/// State has the light found at the vertex added and is no longer alive; where `scatters` holds the
-/// integrator decides how the path goes on. Elsewhere the other members have no meaning.
+/// Radiance has the light found at the vertex added. Where `scatters` holds the integrator decides
+/// how the path goes on; elsewhere the members after it have no meaning.
 template <class R>
 struct Vertex {
-  PathState<R> state;
+  Vec3<R> radiance;
   MaskOf<R> scatters;
   IntOf<R> material;
   Vec3<R> position;
@@ -44,10 +44,7 @@ Vertex<R> arrive(const SceneView& scene, const PathState<R>& state, const Frame&
   if (!scene.effectIndirect) {
     scatters = scatters && state.bounce < Int(1);
   }
-  PathState<R> arrived = state;
-  arrived.radiance = radiance;
-  arrived.alive = Mask(false);
-  Vertex<R> result{arrived, scatters, material, Vec3<R>(), Vec3<R>(), Vec3<R>()};
+  Vertex<R> result{radiance, scatters, material, Vec3<R>(), Vec3<R>(), Vec3<R>()};
   if (anyLane(scatters)) {
     const Surface<R> surface = surfaceAt(scene, state.ray, hit);
     result.position = surface.position;
@@ -57,25 +54,27 @@ Vertex<R> arrive(const SceneView& scene, const PathState<R>& state, const Frame&
   return result;
 }
 
+/// The path's radiance with `light` from the vertex added.
 template <class R>
-PathState<R> withLight(const Vertex<R>& vertex, const Vec3<R>& light) {
-  const Vec3<R> lit = vertex.state.radiance + vertex.state.throughput * light;
-  PathState<R> result = vertex.state;
-  result.radiance = select(vertex.scatters, lit, vertex.state.radiance);
-  return result;
+Vec3<R> withLight(const Vertex<R>& vertex, const Vec3<R>& throughput, const Vec3<R>& light) {
+  const Vec3<R> lit = vertex.radiance + throughput * light;
+  return select(vertex.scatters, lit, vertex.radiance);
+}
+
+/// A path that ends at the vertex.
+template <class R>
+PathState<R> stop(const PathState<R>& state, const Vec3<R>& radiance) {
+  return {state.key, state.ray, state.throughput, radiance, state.bounce, MaskOf<R>(false)};
 }
 
 /// The path's next ray, unless nothing of its throughput is left.
 template <class R>
-PathState<R> leave(const Vertex<R>& vertex, const PathState<R>& state, const Vec3<R>& direction,
-                   const Vec3<R>& weight) {
+PathState<R> leave(const PathState<R>& state, const Vertex<R>& vertex, const Vec3<R>& radiance,
+                   const Vec3<R>& direction, const Vec3<R>& weight) {
   const Vec3<R> throughput = state.throughput * weight;
-  PathState<R> result = state;
-  result.throughput = throughput;
-  result.ray = makeRay(vertex.origin, direction, R(0.0f), R(kLargest));
-  result.bounce = state.bounce + IntOf<R>(1);
-  result.alive = vertex.scatters && !isBlack(throughput);
-  return result;
+  const Ray<R> ray = makeRay(vertex.origin, direction, R(0.0f), R(kLargest));
+  const MaskOf<R> alive = vertex.scatters && !isBlack(throughput);
+  return {state.key, ray, throughput, radiance, state.bounce + IntOf<R>(1), alive};
 }
 
 TWINTRACE_KERNEL_END

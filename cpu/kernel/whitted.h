@@ -32,30 +32,30 @@ Vec3<R> localIllumination(const SceneView& scene, const Vec3<R>& origin, const V
 }
 
 template <class R>
-PathState<R> stepLocal(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+TWINTRACE_STEP PathState<R> stepLocal(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   const Vertex<R> vertex = arrive(scene, state, frame);
-  PathState<R> result = vertex.state;
+  Vec3<R> radiance = vertex.radiance;
   if (anyLane(vertex.scatters)) {
     const Vec3<R> local = localIllumination(
         scene, vertex.origin, vertex.normal, state.ray.direction,
         fetchLocalShading<R>(scene, vertex.material), state.key, state.bounce);
-    result = withLight(vertex, local);
+    radiance = withLight(vertex, state.throughput, local);
   }
-  return result;
+  return stop(state, radiance);
 }
 
 template <class R>
-PathState<R> stepWhitted(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+TWINTRACE_STEP PathState<R> stepWhitted(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   const Vertex<R> vertex = arrive(scene, state, frame);
-  PathState<R> result = vertex.state;
-  if (!anyLane(vertex.scatters)) return result;
+  if (!anyLane(vertex.scatters)) return stop(state, vertex.radiance);
   const Vec3<R>& d = state.ray.direction;
   const Vec3<R> local =
       localIllumination(scene, vertex.origin, vertex.normal, d,
                         fetchLocalShading<R>(scene, vertex.material), state.key, state.bounce);
-  result = withLight(vertex, local);
+  const Vec3<R> radiance = withLight(vertex, state.throughput, local);
   const Vec3<R> mirrored = reflect3(d, vertex.normal);
-  return leave(vertex, result, mirrored, fetchReflectance<R>(scene, vertex.material).specular);
+  const Vec3<R> reflectance = fetchReflectance<R>(scene, vertex.material).specular;
+  return leave(state, vertex, radiance, mirrored, reflectance);
 }
 
 TWINTRACE_KERNEL_END

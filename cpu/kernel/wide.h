@@ -10,7 +10,7 @@
 #include <experimental/simd>
 
 #include "cpu/kernel/ray.h"
-#include "cpu/kernel/scene_view.h"
+#include "cpu/kernel/scene_access.h"
 
 TWINTRACE_KERNEL_BEGIN
 
@@ -169,21 +169,31 @@ TWINTRACE_INLINE R toNumber(WideInt x) {
 }
 
 template <class R>
-TWINTRACE_INLINE R fetchNumber(const SceneView& scene, WideInt texel, int component) {
-  const std::uint32_t* words = scene.words + component;
-  return R(SimdFloat([&](auto lane) {
-    return std::bit_cast<float>(words[std::size_t{4} * static_cast<std::uint32_t>(
-                                          static_cast<std::int32_t>(texel.value[lane]))]);
-  }));
+TWINTRACE_INLINE R numberFromBits(WideUint bits) {
+  return R(std::bit_cast<SimdFloat>(bits.value));
 }
 
-template <class R>
-TWINTRACE_INLINE WideInt fetchInteger(const SceneView& scene, WideInt texel, int component) {
-  const std::uint32_t* words = scene.words + component;
-  return SimdInt([&](auto lane) {
-    return static_cast<std::int32_t>(words[std::size_t{4} * static_cast<std::uint32_t>(
-                                               static_cast<std::int32_t>(texel.value[lane]))]);
-  });
+/// A record per lane. Lanes mostly share a few records, so each distinct one is broadcast once to
+/// the lanes that want it: several times faster than gathering word by word.
+template <class R, int texelCount>
+TWINTRACE_INLINE TexelBlock<R, texelCount> fetchTexels(const SceneView& scene, WideInt first) {
+  SimdUint words[4 * texelCount] = {};
+  alignas(64) std::int32_t wanted[kLanes];
+  first.value.copy_to(wanted, stdx::vector_aligned);
+  WideMask missing(true);
+  while (anyLane(missing)) {
+    const std::int32_t texel = wanted[stdx::find_first_set(missing.value)];
+    const WideMask here = first == WideInt(texel);
+    const std::uint32_t* source = scene.words + std::size_t{4} * static_cast<std::uint32_t>(texel);
+    const auto mask = std::bit_cast<SimdUint::mask_type>(here.value);
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      ((stdx::where(mask, words[i]) = SimdUint(source[i])), ...);
+    }(std::make_index_sequence<4 * texelCount>());
+    missing = missing && !here;
+  }
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return TexelBlock<R, texelCount>{{WideUint(words[i])...}};
+  }(std::make_index_sequence<4 * texelCount>());
 }
 
 /// The answers of the scene's hull structure, lane by lane.

@@ -8,7 +8,7 @@ const int kBoxTexels = 2;          // minimum.xyz, -; maximum.xyz, -
 const int kOrientedBoxTexels = 5;  // centre; axis x; axis y; axis z (unit); half size
 const int kPlaneTexels = 2;        // point; normal (unit)
 const int kInfoTexels = 1;         // material index (int), object index (int)
-const int kMaterialTexels = 7;     // see fetchMaterial
+const int kMaterialTexels = 8;     // scattering 0-2, reflectance 1-4, emission 5, local shading 6-7, 3
 const int kLightTexels = 3;        // see fetchLight
 
 // Lobe codes of a material's specular part.
