@@ -22,21 +22,25 @@ constexpr std::size_t kGrain = 1024;
 
 /// Corner i of a box has its maximum on x, y, z where bit 0, 1, 2 of i is set. Counterclockwise as
 /// seen from outside, so that normals point outward.
-constexpr std::array<std::array<unsigned, 3>, kTrianglesPerBox> kBoxTriangles = {
-    {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
-     {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}}};
+constexpr std::array<unsigned, 3 * kTrianglesPerBox> kBoxCorners = {
+    0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,   // -x, +x
+    0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3,   // -y, +y
+    0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};  // -z, +z
 
 struct Triangles {
   std::vector<glm::vec3> vertices;
   std::vector<glm::uvec3> indices;
 };
 
-glm::dvec3 toDouble(const kernel::Vec3<float>& v) { return {v.x, v.y, v.z}; }
+glm::dvec3 toDouble(const kernel::Vec3<float>& v) {
+  return {v.x, v.y, v.z};
+}
 
 void addTriangles(Triangles& triangles) {
   const auto first = static_cast<unsigned>(triangles.vertices.size()) - 8u;
-  for (const auto& corners : kBoxTriangles) {
-    triangles.indices.emplace_back(first + corners[0], first + corners[1], first + corners[2]);
+  for (std::size_t i = 0; i < kBoxCorners.size(); i += 3) {
+    triangles.indices.emplace_back(first + kBoxCorners[i], first + kBoxCorners[i + 1],
+                                   first + kBoxCorners[i + 2]);
   }
 }
 
@@ -64,6 +68,7 @@ bool isFinite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// What Embree asks of a ray; else its answer is undefined.
 bool isCastable(const CastRay& ray) {
   return isFinite(ray.origin) && isFinite(ray.direction) && ray.direction != glm::vec3(0.0f) &&
          ray.tmin <= ray.tmax;
@@ -73,8 +78,7 @@ bool isCastable(const CastRay& ray) {
 template <class T>
 void fillBuffer(const EmbreeGeometry& geometry, RTCBufferType type, RTCFormat format,
                 const std::vector<T>& data) {
-  void* buffer =
-      rtcSetNewGeometryBuffer(geometry.get(), type, 0, format, sizeof(T), data.size());
+  void* buffer = rtcSetNewGeometryBuffer(geometry.get(), type, 0, format, sizeof(T), data.size());
   if (buffer != nullptr) std::copy(data.begin(), data.end(), static_cast<T*>(buffer));
 }
 
@@ -109,8 +113,7 @@ class Caster : public EmbreeCaster {
       points.emplace_back(sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius);
     }
     if (points.empty()) return;
-    const EmbreeGeometry geometry(
-        rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT));
+    const EmbreeGeometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT));
     fillBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, points);
     attachEmbreeGeometry(world_, geometry, kSpheres);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Embree 3 and 4 behind one set of names. Only cpu/embree_*.cpp include this file, and no other file
-// includes rtcore.h.
+// Embree 3 and 4 behind one set of names. Only cpu/embree_*.cpp include this file, and no other
+// file includes rtcore.h.
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -44,9 +44,11 @@ void commitEmbreeScene(const EmbreeDevice& device, const EmbreeScene& scene);
 
 EmbreeContext makeEmbreeContext();
 
-/// A distance as Embree may get it: it compares tfar as an integer somewhere, so that -0 lies before
-/// everything (seen with 3.13.5: such rays hit nothing).
-inline float withoutNegativeZero(float t) { return t + 0.0f; }
+/// A distance as Embree may get it: it compares tfar as an integer somewhere, so that -0 lies
+/// before everything (seen with 3.13.5: such rays hit nothing).
+inline float withoutNegativeZero(float t) {
+  return t + 0.0f;
+}
 
 /// A query without a hit yet.
 /// @param tnear at least 0, as Embree demands

@@ -6,13 +6,14 @@
 // - Slabs (robust): planes are off by 3 u D, the widening lets rays pass that miss by 12 u D; an
 //   oriented box adds 8 u D for its local ray.
 // - Sphere (robust): the discriminant is the exact one of a radius off by at most 12 u D. The near
-//   root c / q carries an error e / q with |e| <= 4 u |f|^2 + 20 u r |f|, f from centre to origin. For
-//   |f| >= 2 r this is 17 u D; nearer, the point at the computed t is less than 56 u r + (e/q)^2 / 2r
-//   above the surface, together 106 u r unless q < 5.6 sqrt(u) r, and then the origin itself is
-//   within 16 u r of the surface, hence in the hull, which is entered at 0.
-// - Embree's own plane distances bound * inverse - origin * inverse (its traversal of user geometry
-//   is this one in robust mode too) are off by 4 u D once its coordinates are relative to the
-//   scene's centre, which they are here; callbacks get the ray as it was.
+//   root c / q carries an error e / q with |e| <= 4 u |f|^2 + 20 u r |f|, f from centre to origin.
+//   For |f| >= 2 r this is 17 u D; nearer, the point at the computed t is less than 56 u r +
+//   (e/q)^2 / 2r above the surface, together 106 u r unless q < 5.6 sqrt(u) r, and then the origin
+//   itself is within 16 u r of the surface, hence in the hull, which is entered at 0.
+// - Embree's own plane distances, even in the fast form bound * inverse - origin * inverse, are off
+// by
+//   4 u D once its coordinates are relative to the scene's centre, which they are here; callbacks
+//   get the ray as it was.
 // All this stays below 128 u D. Hulls are padded by that, so that entries lie strictly before t and
 // primitives with equal t are all tested. The report's tests round absolute coordinates, so that
 // there D includes them, and are geometry only for unit directions.
@@ -53,7 +54,9 @@ struct Bounds {
   glm::dvec3 high;
 };
 
-glm::dvec3 toDouble(const kernel::Vec3<float>& v) { return {v.x, v.y, v.z}; }
+glm::dvec3 toDouble(const kernel::Vec3<float>& v) {
+  return {v.x, v.y, v.z};
+}
 
 Bounds boundsOf(const kernel::Sphere<float>& sphere) {
   const glm::dvec3 center = toDouble(sphere.center);
@@ -235,8 +238,9 @@ class EmbreeHull : public HullQuery {
 
 std::unique_ptr<HullQuery> makeEmbreeHull(const FlatScene& scene, const RenderOptions& options) {
   if (options.precision == Precision::float64) {
-    throw UsageError("hull embree with precision double; expected precision float, since Embree's "
-                     "rays are floats");
+    throw UsageError(
+        "hull embree with precision double; expected precision float, since Embree's "
+        "rays are floats");
   }
   return std::make_unique<EmbreeHull>(scene, options);
 }

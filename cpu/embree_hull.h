@@ -10,7 +10,8 @@ namespace twintrace {
 /// Embree's tree over this scene's spheres and boxes with the kernel's own primitive tests in its
 /// leaves, planes tested outside: bit for bit the hits of testing every primitive, for every ray.
 /// Rays that the tree's padding is not made for (see embree_hull.cpp) do test every primitive.
-/// As in all kernel code, FTZ and DAZ must be set on the calling thread for the bits of the shaders.
+/// As in all kernel code, FTZ and DAZ must be set on the calling thread for the bits of the
+/// shaders.
 /// @param scene must outlive the query
 /// @throws UsageError for precision double: Embree's rays are floats.
 /// @throws DeviceError if Embree fails.

@@ -19,11 +19,11 @@ bool isFinite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Whether there is anything to hit along the ray; needs DAZ for denormals to be zeros.
+/// Whether the primitive tests are made for the ray: slabs drop NaN, as if that axis were always
+/// inside. A direction of zeros needs no test, since all its t are infinite or NaN, nor does an
+/// interval that is empty or NaN.
 bool isCastable(const CastRay& ray) {
-  const glm::vec3& d = ray.direction;
-  return isFinite(ray.origin) && isFinite(d) && (d.x != 0.0f || d.y != 0.0f || d.z != 0.0f) &&
-         ray.tmin <= ray.tmax;
+  return isFinite(ray.origin) && isFinite(ray.direction);
 }
 
 template <class R>
@@ -46,8 +46,7 @@ CastHit castOne(const kernel::SceneView& scene, const CastRay& ray) {
   const kernel::Hit<R> hit = kernel::closestHit(scene, kernelRay);
   if (hit.primitive == kernel::kNoPrimitive) return {};
   const kernel::Vec3<R> normal = kernel::surfaceAt(scene, kernelRay, hit).normal;
-  return {toFloat(hit.t), hit.primitive,
-          {toFloat(normal.x), toFloat(normal.y), toFloat(normal.z)}};
+  return {toFloat(hit.t), hit.primitive, {toFloat(normal.x), toFloat(normal.y), toFloat(normal.z)}};
 }
 
 template <class R>

@@ -87,9 +87,8 @@ class Pair {
   const kernel::SceneView& view() const { return view_; }
 
   CastHit byLoop(const CastRay& ray) const {
-    const kernel::Ray<float> kernelRay =
-        kernel::makeRay(kernel::toVec3(ray.origin), kernel::toVec3(ray.direction), ray.tmin,
-                        ray.tmax);
+    const kernel::Ray<float> kernelRay = kernel::makeRay(
+        kernel::toVec3(ray.origin), kernel::toVec3(ray.direction), ray.tmin, ray.tmax);
     const kernel::Hit<float> hit = kernel::closestHit(view_, kernelRay);
     if (hit.primitive == kernel::kNoPrimitive) return {};
     return {hit.t, hit.primitive, {}};
@@ -97,8 +96,7 @@ class Pair {
 
   CastHit byHull(const CastRay& ray) const {
     float t = 0.0f;
-    const int primitive =
-        hull_->closest(&ray.origin.x, &ray.direction.x, ray.tmin, ray.tmax, t);
+    const int primitive = hull_->closest(&ray.origin.x, &ray.direction.x, ray.tmin, ray.tmax, t);
     if (primitive == kernel::kNoPrimitive) return {};
     return {t, primitive, {}};
   }
@@ -154,7 +152,9 @@ void expectSameHits(std::uint32_t seed, const Family& family) {
   }
 }
 
-glm::vec3 toGlm(const kernel::Vec3<float>& v) { return {v.x, v.y, v.z}; }
+glm::vec3 toGlm(const kernel::Vec3<float>& v) {
+  return {v.x, v.y, v.z};
+}
 
 glm::vec3 perpendicular(const glm::vec3& d, Random& random) {
   return glm::normalize(glm::cross(d, random.direction()));
@@ -193,7 +193,8 @@ CastRay surfaceRay(const Pair& pair, const CastRay& from, Random& random) {
   if (!hit.valid()) return from;
   const auto ray = kernel::makeRay(kernel::toVec3(from.origin), kernel::toVec3(from.direction),
                                    from.tmin, from.tmax);
-  const auto surface = kernel::surfaceAt(pair.view(), ray, kernel::Hit<float>{hit.t, hit.primitive});
+  const auto surface =
+      kernel::surfaceAt(pair.view(), ray, kernel::Hit<float>{hit.t, hit.primitive});
   const glm::vec3 normal = toGlm(surface.normal);
   const float offset = surface.offset * float(random.below(3)) * 0.5f * random.sign();
   const glm::vec3 along = perpendicular(normal, random);
@@ -211,8 +212,8 @@ TEST_CASE("embree hull answers special rays as the loop", "[cpu][embree]") {
   Random random(1);
   const Pair pair(flatSceneOf(mixedShapes(random, kPlacements[0])), optionsOf(Intersector::robust));
   const FlushDenormals flush;
-  const float values[] = {0.0f, -0.0f, 1e-40f,  1e-20f, -1.0f, 1.0f, 2.5f,
-                          1e6f, -1e20f, kLargest, kInfinity, kNan};
+  const float values[] = {0.0f, -0.0f, 1e-40f, 1e-20f,   -1.0f,     1.0f,
+                          2.5f, 1e6f,  -1e20f, kLargest, kInfinity, kNan};
   for (const float origin : values) {
     for (const float x : values) {
       for (const float y : values) {
@@ -222,8 +223,8 @@ TEST_CASE("embree hull answers special rays as the loop", "[cpu][embree]") {
           for (const CastRay& ray : {ahead, behind}) {
             const CastHit expected = pair.byLoop(ray);
             const CastHit found = pair.byHull(ray);
-            INFO(test::hexText(ray) << ": loop " << test::hexText(expected) << ", hull "
-                                    << test::hexText(found));
+            INFO(test::hexText(ray)
+                 << ": loop " << test::hexText(expected) << ", hull " << test::hexText(found));
             REQUIRE(sameBits(expected, found));
           }
         }
@@ -253,8 +254,8 @@ TEST_CASE("embree hull's interval is closed", "[cpu][embree]") {
 }
 
 TEST_CASE("embree hull skips what the effects leave out", "[cpu][embree]") {
-  const auto scene = flatSceneOf({SphereShape{{0.0f, 0.0f, 0.0f}, 1.0f},
-                                  BoxShape{{0.0f, 0.0f, 4.0f}, glm::vec3(2.0f), {}}});
+  const auto scene = flatSceneOf(
+      {SphereShape{{0.0f, 0.0f, 0.0f}, 1.0f}, BoxShape{{0.0f, 0.0f, 4.0f}, glm::vec3(2.0f), {}}});
   FlatScene changed = *scene;
   changed.effects.set(Effect::sphere, false);
   const Pair pair(std::make_shared<const FlatScene>(changed), optionsOf(Intersector::robust));
@@ -296,17 +297,15 @@ TEST_CASE("embree hull gives the loop's hits for grazing rays", "[cpu][embree]")
   expectSameHits(13, [](const Pair& pair, const Placement& place, Random& random) {
     return countDifferences(pair, 150000, [&] {
       const float distance = place.scale * (random.below(2) ? 4.0f : 60.0f);
-      return random.below(2) ? tangentRay(pair, random, distance)
-                             : edgeRay(pair, random, distance);
+      return random.below(2) ? tangentRay(pair, random, distance) : edgeRay(pair, random, distance);
     });
   });
 }
 
 TEST_CASE("embree hull gives the loop's hits for rays from surfaces", "[cpu][embree]") {
   expectSameHits(14, [](const Pair& pair, const Placement& place, Random& random) {
-    return countDifferences(pair, 150000, [&] {
-      return surfaceRay(pair, randomRay(place, random, 6.0f), random);
-    });
+    return countDifferences(
+        pair, 150000, [&] { return surfaceRay(pair, randomRay(place, random, 6.0f), random); });
   });
 }
 
