@@ -99,9 +99,15 @@ TWINTRACE_INLINE void finish(const FrameJob& job, WideMask ended, const PathStat
   }
 }
 
-__attribute__((flatten)) inline void renderTileWide(const FrameJob& job, const Tile& tile) {
-  const FlushDenormals flush;
-  const SceneView scene = viewScene(*job.scene, *job.options, job.hull);
+template <class Step>
+TWINTRACE_STEP void advance(const SceneView& scene, const Frame& frame,
+                            PathState<WideFloat>& state, Step step) {
+  state = step(scene, state, frame);
+}
+
+template <class Step>
+TWINTRACE_STEP void renderTileWide(const FrameJob& job, const SceneView& scene, const Tile& tile,
+                                   Step step) {
   const Frame frame{job.scene->width, job.options->bounces, job.passes, job.firstSample,
                     job.options->seed};
   PixelQueue queue(tile);
@@ -116,7 +122,7 @@ __attribute__((flatten)) inline void renderTileWide(const FrameJob& job, const T
       waiting = WideMask(false);
     }
     const WideMask running = state.alive;
-    state = stepSample(scene, state, frame);
+    advance(scene, frame, state, step);
     const WideMask ended = running && !state.alive;
     if (anyLane(ended)) {
       finish(job, ended, state, work, queue);
@@ -130,7 +136,11 @@ TWINTRACE_KERNEL_END
 namespace twintrace {
 
 void TWINTRACE_TILE_KERNEL(const FrameJob& job, const Tile& tile) {
-  kernel::renderTileWide(job, tile);
+  const FlushDenormals flush;
+  const kernel::SceneView scene = kernel::viewScene(*job.scene, *job.options, job.hull);
+  kernel::withStep<kernel::WideFloat>(scene.integrator, [&](auto step) {
+    kernel::renderTileWide(job, scene, tile, step);
+  });
 }
 
 }  // namespace twintrace

@@ -33,6 +33,13 @@ struct Plane {
   vec3 normal;
 };
 
+// What every hit needs: the emission of the primitive's material stands here so that most hits read
+// one texel only.
+struct PrimitiveInfo {
+  vec3 emission;
+  int material;
+};
+
 // What sampling a material's lobes needs. Weights are reflectances divided by the chance of the
 // lobe, so that no division is left to the tracer.
 struct Scattering {

@@ -53,12 +53,9 @@ Plane fetchPlane(int index) {
   return result;
 }
 
-int fetchMaterialIndex(int primitive) {
-  return int(fetchTexel(kInfoOffset + primitive * kInfoTexels).x);
-}
-
-vec3 fetchEmission(int material) {
-  precise vec3 result = floats3(fetchTexel(kMaterialOffset + material * kMaterialTexels + 5));
+PrimitiveInfo fetchPrimitiveInfo(int primitive) {
+  uvec4 texel = fetchTexel(kInfoOffset + primitive * kInfoTexels);
+  precise PrimitiveInfo result = PrimitiveInfo(floats3(texel), int(texel.w));
   return result;
 }
 
@@ -84,10 +81,10 @@ Reflectance fetchReflectance(int material) {
 
 LocalShading fetchLocalShading(int material) {
   int at = kMaterialOffset + material * kMaterialTexels;
-  uvec4 highlight = fetchTexel(at + 7);
+  uvec4 highlight = fetchTexel(at + 6);
   precise LocalShading result =
       LocalShading(floats3(fetchTexel(at + 3)), floats3(highlight), float4th(highlight),
-                   floats3(fetchTexel(at + 6)));
+                   floats3(fetchTexel(at + 5)));
   return result;
 }
 

@@ -28,9 +28,9 @@ Vertex arrive(PathState state, Frame frame) {
     precise vec3 lit = radiance + state.throughput * environment(d);
     radiance = select(escaped, lit, radiance);
   }
-  int material = fetchMaterialIndex(select(found, hit.primitive, 0));
+  precise PrimitiveInfo info = fetchPrimitiveInfo(select(found, hit.primitive, 0));
   if (kEffectEmission) {
-    precise vec3 lit = radiance + state.throughput * fetchEmission(material);
+    precise vec3 lit = radiance + state.throughput * info.emission;
     radiance = select(found, lit, radiance);
   }
   bool scatters = found && state.bounce < frame.bounces;
@@ -38,7 +38,7 @@ Vertex arrive(PathState state, Frame frame) {
     scatters = scatters && state.bounce < 1;
   }
   precise vec3 none = vec3(0.0f);
-  precise Vertex result = Vertex(radiance, scatters, material, none, none, none);
+  precise Vertex result = Vertex(radiance, scatters, info.material, none, none, none);
   if (anyLane(scatters)) {
     precise Surface surface = surfaceAt(state.ray, hit);
     result.position = surface.position;

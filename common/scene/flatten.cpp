@@ -110,7 +110,7 @@ int lobeCode(const Material& material) {
   return material.lobe == Lobe::ggx ? layout::kLobeGgx : layout::kLobePhong;
 }
 
-// Layout: fetchScattering, fetchReflectance, fetchLocalShading and fetchEmission of
+// Layout: fetchScattering, fetchReflectance and fetchLocalShading of
 // shaders/scene_access.glsl. The chance of a lobe is its share of the mean reflectance (the report's
 // ancestor); the report's exponent is 1000^((1 - roughness)^2).
 std::vector<glm::uvec4> materialRecord(const Material& material) {
@@ -130,7 +130,6 @@ std::vector<glm::uvec4> materialRecord(const Material& material) {
           texel(lobe, float(exponent)),
           texel(material.albedo),
           texel(material.specular),
-          texel(material.emission),
           texel(material.ambient),
           texel(material.highlight, material.exponent)};
 }
@@ -210,8 +209,8 @@ void flattenPrimitives(const Scene& scene, FlatScene& flat) {
        {&records.spheres, &records.boxes, &records.orientedBoxes, &records.planes}) {
     for (const int object : kind->objects) {
       flat.primitiveObject.push_back(object);
-      const auto material = static_cast<std::uint32_t>(scene.objects[object].material);
-      flat.texels.emplace_back(material, static_cast<std::uint32_t>(object), 0u, 0u);
+      const int material = scene.objects[object].material;
+      flat.texels.push_back(texel(scene.materials[material].emission, material));
     }
   }
   // A ray that misses everything reads record 0 and drops it: there must be one.

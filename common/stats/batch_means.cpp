@@ -1,5 +1,6 @@
 #include "common/stats/batch_means.h"
 
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -43,6 +44,21 @@ void BatchMeans::add(const Image& batch) {
   for (std::size_t channel = 0; channel < 3; ++channel) total[channel] /= totalCount[channel];
   blockMeans_.push_back(std::move(means));
   imageMeans_.push_back(total);
+}
+
+void BatchMeans::joinNeighbours() {
+  assert(batchCount() % 2 == 0);
+  const auto join = [](const auto& a, const auto& b) {
+    auto mean = a;
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = 0.5 * (a[i] + b[i]);
+    return mean;
+  };
+  for (std::size_t batch = 0; batch < batchCount() / 2; ++batch) {
+    blockMeans_[batch] = join(blockMeans_[2 * batch], blockMeans_[2 * batch + 1]);
+    imageMeans_[batch] = join(imageMeans_[2 * batch], imageMeans_[2 * batch + 1]);
+  }
+  blockMeans_.resize(batchCount() / 2);
+  imageMeans_.resize(blockMeans_.size());
 }
 
 }  // namespace twintrace

@@ -40,6 +40,10 @@ class BatchMeans {
   /// without any finite value gets the mean NaN. @throws UsageError if the size differs.
   void add(const Image& batch);
 
+  /// Replaces batches 0 and 1, 2 and 3, ... by their means: half as many batches, twice as long. A
+  /// mean of NaN stays NaN. There must be an even number of batches.
+  void joinNeighbours();
+
   const BlockGrid& grid() const { return grid_; }
   std::size_t batchCount() const { return imageMeans_.size(); }
   std::uint64_t nonFiniteValues() const { return nonFiniteValues_; }

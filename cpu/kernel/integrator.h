@@ -8,32 +8,48 @@
 
 TWINTRACE_KERNEL_BEGIN
 
-template <class R>
-PathState<R> stepSample(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
-  switch (scene.integrator) {
+/// Calls `use` with the step function of an integrator: one instantiation for each, so that loops
+/// around the step are specialised too.
+template <class R, class Use>
+auto withStep(Integrator integrator, Use use) {
+  switch (integrator) {
     case Integrator::path:
-      return stepPath(scene, state, frame);
+      return use([](const auto&... a) { return stepPath<R>(a...); });
     case Integrator::report:
-      return stepReport(scene, state, frame);
+      return use([](const auto&... a) { return stepReport<R>(a...); });
     case Integrator::whitted:
-      return stepWhitted(scene, state, frame);
+      return use([](const auto&... a) { return stepWhitted<R>(a...); });
     case Integrator::local:
       break;
   }
-  return stepLocal(scene, state, frame);
+  return use([](const auto&... a) { return stepLocal<R>(a...); });
+}
+
+template <class R>
+PathState<R> stepSample(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+  return withStep<R>(scene.integrator,
+                     [&](auto step) { return step(scene, state, frame); });
+}
+
+/// The loop over the samples of a pixel, with one integrator's step inlined.
+template <class R, class Step>
+TWINTRACE_STEP Vec3<R> sumSamples(const SceneView& scene, int x, int y, const Frame& frame,
+                                  Step step) {
+  Vec3<R> sum;
+  for (int pass = 0; pass < frame.passes; ++pass) {
+    PathState<R> state =
+        beginSample<R>(scene, x, y, frame.firstSample + static_cast<std::uint32_t>(pass), frame);
+    while (state.alive) state = step(scene, state, frame);
+    sum = sum + state.radiance;
+  }
+  return sum;
 }
 
 /// Sum of a frame's samples of one pixel, in sample order; for one-lane numbers.
 template <class R>
 Vec3<R> renderPixel(const SceneView& scene, int x, int y, const Frame& frame) {
-  Vec3<R> sum;
-  for (int pass = 0; pass < frame.passes; ++pass) {
-    PathState<R> state =
-        beginSample<R>(scene, x, y, frame.firstSample + static_cast<std::uint32_t>(pass), frame);
-    while (state.alive) state = stepSample(scene, state, frame);
-    sum = sum + state.radiance;
-  }
-  return sum;
+  return withStep<R>(scene.integrator,
+                     [&](auto step) { return sumSamples<R>(scene, x, y, frame, step); });
 }
 
 TWINTRACE_KERNEL_END

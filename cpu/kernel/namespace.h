@@ -14,5 +14,5 @@
   }
 
 // A step of a path: one function with everything that it calls inlined, since records of wide numbers
-// are slow to pass, but apart from the other integrators', since their common stack frame is not.
+// are slow to pass, but apart from the other integrators', whose common stack frame would be huge.
 #define TWINTRACE_STEP __attribute__((noinline, flatten))

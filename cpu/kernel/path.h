@@ -31,7 +31,7 @@ Vec3<R> directLight(const SceneView& scene, const Vec3<R>& origin, const Vec3<R>
 
 /// One vertex: the light found there, and the next ray.
 template <class R>
-TWINTRACE_STEP PathState<R> stepPath(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+PathState<R> stepPath(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   const Vertex<R> vertex = arrive(scene, state, frame);
   Vec3<R> radiance = vertex.radiance;
   if (!anyLane(vertex.scatters)) return stop(state, radiance);

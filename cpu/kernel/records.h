@@ -43,6 +43,13 @@ struct Plane {
   Vec3<R> normal;
 };
 
+/// What every hit needs: the emission of the primitive's material, and which one it is.
+template <class R>
+struct PrimitiveInfo {
+  Vec3<R> emission;
+  IntOf<R> material;
+};
+
 /// What sampling a material's lobes needs; weights are reflectances over the chance of the lobe.
 template <class R>
 struct Scattering {

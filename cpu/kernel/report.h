@@ -62,7 +62,7 @@ Vec3<R> reportDirectLight(const SceneView& scene, const Vec3<R>& origin, const V
 }
 
 template <class R>
-TWINTRACE_STEP PathState<R> stepReport(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+PathState<R> stepReport(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   using Mask = MaskOf<R>;
   const Vertex<R> vertex = arrive(scene, state, frame);
   Vec3<R> radiance = vertex.radiance;

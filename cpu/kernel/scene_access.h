@@ -73,11 +73,11 @@ Plane<R> fetchPlane(const SceneView& scene, Index index) {
 }
 
 template <class R>
-IntOf<R> fetchMaterialIndex(const SceneView& scene, IntOf<R> primitive) {
+PrimitiveInfo<R> fetchPrimitiveInfo(const SceneView& scene, IntOf<R> primitive) {
   using Index = IntOf<R>;
   const auto block = fetchTexels<R, kInfoTexels>(
       scene, primitive * Index(kInfoTexels) + Index(scene.index.infoOffset));
-  return block.integer(0, 0);
+  return {block.floats3(0), block.integer(0, 3)};
 }
 
 /// Some consecutive texels of a material's record.
@@ -86,11 +86,6 @@ TexelBlock<R, texelCount> fetchMaterialTexels(const SceneView& scene, IntOf<R> m
                                               int first) {
   return fetchTexels<R, texelCount>(scene, material * IntOf<R>(kMaterialTexels) +
                                                IntOf<R>(scene.index.materialOffset + first));
-}
-
-template <class R>
-Vec3<R> fetchEmission(const SceneView& scene, IntOf<R> material) {
-  return fetchMaterialTexels<R, 1>(scene, material, 5).floats3(0);
 }
 
 template <class R>
@@ -109,8 +104,8 @@ Reflectance<R> fetchReflectance(const SceneView& scene, IntOf<R> material) {
 
 template <class R>
 LocalShading<R> fetchLocalShading(const SceneView& scene, IntOf<R> material) {
-  const auto block = fetchMaterialTexels<R, 5>(scene, material, 3);
-  return {block.floats3(0), block.floats3(4), block.float4th(4), block.floats3(3)};
+  const auto block = fetchMaterialTexels<R, 4>(scene, material, 3);
+  return {block.floats3(0), block.floats3(3), block.float4th(3), block.floats3(2)};
 }
 
 template <class R>

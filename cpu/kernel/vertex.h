@@ -35,16 +35,17 @@ Vertex<R> arrive(const SceneView& scene, const PathState<R>& state, const Frame&
     const Vec3<R> lit = radiance + state.throughput * environment(scene, d);
     radiance = select(escaped, lit, radiance);
   }
-  const Int material = fetchMaterialIndex<R>(scene, select(found, hit.primitive, Int(0)));
+  const PrimitiveInfo<R> info =
+      fetchPrimitiveInfo<R>(scene, select(found, hit.primitive, Int(0)));
   if (scene.effectEmission) {
-    const Vec3<R> lit = radiance + state.throughput * fetchEmission<R>(scene, material);
+    const Vec3<R> lit = radiance + state.throughput * info.emission;
     radiance = select(found, lit, radiance);
   }
   Mask scatters = found && state.bounce < Int(frame.bounces);
   if (!scene.effectIndirect) {
     scatters = scatters && state.bounce < Int(1);
   }
-  Vertex<R> result{radiance, scatters, material, Vec3<R>(), Vec3<R>(), Vec3<R>()};
+  Vertex<R> result{radiance, scatters, info.material, Vec3<R>(), Vec3<R>(), Vec3<R>()};
   if (anyLane(scatters)) {
     const Surface<R> surface = surfaceAt(scene, state.ray, hit);
     result.position = surface.position;

@@ -32,7 +32,7 @@ Vec3<R> localIllumination(const SceneView& scene, const Vec3<R>& origin, const V
 }
 
 template <class R>
-TWINTRACE_STEP PathState<R> stepLocal(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+PathState<R> stepLocal(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   const Vertex<R> vertex = arrive(scene, state, frame);
   Vec3<R> radiance = vertex.radiance;
   if (anyLane(vertex.scatters)) {
@@ -45,7 +45,7 @@ TWINTRACE_STEP PathState<R> stepLocal(const SceneView& scene, const PathState<R>
 }
 
 template <class R>
-TWINTRACE_STEP PathState<R> stepWhitted(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
+PathState<R> stepWhitted(const SceneView& scene, const PathState<R>& state, const Frame& frame) {
   const Vertex<R> vertex = arrive(scene, state, frame);
   if (!anyLane(vertex.scatters)) return stop(state, vertex.radiance);
   const Vec3<R>& d = state.ray.direction;

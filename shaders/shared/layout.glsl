@@ -7,8 +7,8 @@ const int kSphereTexels = 1;       // centre.xyz, radius
 const int kBoxTexels = 2;          // minimum.xyz, -; maximum.xyz, -
 const int kOrientedBoxTexels = 5;  // centre; axis x; axis y; axis z (unit); half size
 const int kPlaneTexels = 2;        // point; normal (unit)
-const int kInfoTexels = 1;         // material index (int), object index (int)
-const int kMaterialTexels = 8;     // scattering 0-2, reflectance 1-4, emission 5, local shading 6-7, 3
+const int kInfoTexels = 1;         // emission of its material, material index (int)
+const int kMaterialTexels = 7;     // scattering 0-2, reflectance 1-4, local shading 3, 5, 6
 const int kLightTexels = 3;        // see fetchLight
 
 // Lobe codes of a material's specular part.
