@@ -9,7 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "cpu/embree_device.h"
-#include "cpu/flush_denormals.h"
+#include "common/base/flush_denormals.h"
 #include "cpu/kernel/scene_access.h"
 
 namespace twintrace {
@@ -158,6 +158,10 @@ class Caster : public EmbreeCaster {
 
 std::unique_ptr<EmbreeCaster> makeEmbreeCaster(std::shared_ptr<const FlatScene> scene) {
   return std::make_unique<Caster>(std::move(scene));
+}
+
+std::string embreeVersion() {
+  return RTC_VERSION_STRING;
 }
 
 }  // namespace twintrace

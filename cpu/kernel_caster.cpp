@@ -5,7 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include "cpu/embree_hull.h"
-#include "cpu/flush_denormals.h"
+#include "common/base/flush_denormals.h"
 #include "cpu/kernel/surface.h"
 #include "cpu/kernel/traverse.h"
 

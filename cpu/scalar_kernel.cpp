@@ -1,4 +1,4 @@
-#include "cpu/flush_denormals.h"
+#include "common/base/flush_denormals.h"
 #include "cpu/kernel/integrator.h"
 #include "cpu/kernel_entry.h"
 

@@ -3,9 +3,11 @@
 
 #include "cpu/kernel/wide.h"
 
-#include "cpu/flush_denormals.h"
+#include "common/base/flush_denormals.h"
 #include "cpu/kernel/integrator.h"
 #include "cpu/kernel_entry.h"
+
+#include <new>
 
 TWINTRACE_KERNEL_BEGIN
 
@@ -99,10 +101,12 @@ TWINTRACE_INLINE void finish(const FrameJob& job, WideMask ended, const PathStat
   }
 }
 
+/// Builds the state after a step in place: `next` must not be `state`.
 template <class Step>
 TWINTRACE_STEP void advance(const SceneView& scene, const Frame& frame,
-                            PathState<WideFloat>& state, Step step) {
-  state = step(scene, state, frame);
+                            const PathState<WideFloat>& state, PathState<WideFloat>* next,
+                            Step step) {
+  ::new (static_cast<void*>(next)) PathState<WideFloat>(step(scene, state, frame));
 }
 
 template <class Step>
@@ -114,18 +118,19 @@ TWINTRACE_STEP void renderTileWide(const FrameJob& job, const SceneView& scene, 
   LaneWork work;
   for (int lane = 0; lane < kLanes; ++lane) takePixel(work, queue, lane);
   WideMask waiting = work.busy;  // lanes between two samples
-  PathState<WideFloat> state{};
-  state.alive = WideMask(false);
+  PathState<WideFloat> states[2] = {};
+  int now = 0;
+  states[now].alive = WideMask(false);
   while (anyLane(work.busy)) {
-    if (stdx::popcount(waiting.value) >= kRestartLanes || !anyLane(state.alive)) {
-      restart(scene, frame, work, state);
+    if (stdx::popcount(waiting.value) >= kRestartLanes || !anyLane(states[now].alive)) {
+      restart(scene, frame, work, states[now]);
       waiting = WideMask(false);
     }
-    const WideMask running = state.alive;
-    advance(scene, frame, state, step);
-    const WideMask ended = running && !state.alive;
+    advance(scene, frame, states[now], &states[1 - now], step);
+    const WideMask ended = states[now].alive && !states[1 - now].alive;
+    now = 1 - now;
     if (anyLane(ended)) {
-      finish(job, ended, state, work, queue);
+      finish(job, ended, states[now], work, queue);
       waiting = (waiting || ended) && work.busy;
     }
   }

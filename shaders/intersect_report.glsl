@@ -13,7 +13,7 @@ float intersectSphereReport(Ray ray, Sphere sphere) {
   precise float r = sphere.radius;
   precise float halfChord = squareRoot(greatest(r * r - distance * distance, 0.0f));
   precise float t = along - halfChord;
-  bool valid = distance < r && t > 0.0f && t >= ray.tmin;
+  precise bool valid = distance < r && t > 0.0f && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }
@@ -30,7 +30,7 @@ float intersectBoxReport(Ray ray, Box box) {
   precise vec3 high = vec3(greatest(t0.x, t1.x), greatest(t0.y, t1.y), greatest(t0.z, t1.z));
   precise float entry = greatest(-1e14f, largestComponent(low));
   precise float exit = least(1e14f, least(least(high.x, high.y), high.z));
-  bool valid = entry >= 0.0f && entry <= exit && entry >= ray.tmin;
+  precise bool valid = entry >= 0.0f && entry <= exit && entry >= ray.tmin;
   precise float result = select(valid, entry, kInfinity);
   return result;
 }
@@ -40,7 +40,7 @@ float intersectPlaneReport(Ray ray, Plane plane) {
   precise float facing = dot3(plane.normal, ray.direction);
   precise float t = divide(dot3(plane.point - ray.origin, plane.normal), facing);
   precise float size = absolute(facing);
-  bool valid = size > 1e-4f && t >= 1e-4f && t >= ray.tmin;
+  precise bool valid = size > 1e-4f && t >= 1e-4f && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }

@@ -27,7 +27,7 @@ float intersectSphereRobust(Ray ray, Sphere sphere) {
   precise float first = least(t1, t0);
   precise float second = greatest(t1, t0);
   precise float t = select(first >= ray.tmin, first, second);
-  bool valid = discriminant >= 0.0f && t >= ray.tmin;
+  precise bool valid = discriminant >= 0.0f && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }
@@ -36,9 +36,9 @@ float intersectSphereRobust(Ray ray, Sphere sphere) {
 // has an infinite inverse, so that an origin outside the slab gives an empty interval, one inside
 // an unbounded one, and one on a face 0 * infinity = NaN, which least and greatest drop.
 float intersectBoxRobust(Ray ray, Box box) {
-  bool backX = ray.direction.x < 0.0f;
-  bool backY = ray.direction.y < 0.0f;
-  bool backZ = ray.direction.z < 0.0f;
+  precise bool backX = ray.direction.x < 0.0f;
+  precise bool backY = ray.direction.y < 0.0f;
+  precise bool backZ = ray.direction.z < 0.0f;
   precise float nearX = (select(backX, box.maximum.x, box.minimum.x) - ray.origin.x) * ray.inverse.x;
   precise float nearY = (select(backY, box.maximum.y, box.minimum.y) - ray.origin.y) * ray.inverse.y;
   precise float nearZ = (select(backZ, box.maximum.z, box.minimum.z) - ray.origin.z) * ray.inverse.z;
@@ -49,7 +49,7 @@ float intersectBoxRobust(Ray ray, Box box) {
   precise float exit = least(least(least(kInfinity, farX), farY), farZ);
   precise float widened = exit * kSlabWidening;
   precise float t = select(entry < ray.tmin, exit, entry);
-  bool valid = entry <= widened && t >= ray.tmin;
+  precise bool valid = entry <= widened && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }
@@ -58,7 +58,7 @@ float intersectBoxRobust(Ray ray, Box box) {
 float intersectPlaneRobust(Ray ray, Plane plane) {
   precise float height = dot3(plane.point - ray.origin, plane.normal);
   precise float t = divide(height, dot3(plane.normal, ray.direction));
-  bool valid = t >= ray.tmin;
+  precise bool valid = t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }

@@ -30,7 +30,7 @@ ScatterSample sampleGgx(vec3 normal, vec3 d, float alpha, vec3 reflectance, floa
   precise float outHalf = -dot3(d, h);
   precise float masking = maskingGgx(alpha, cosOut) * maskingGgx(alpha, cosIn);
   precise float factor = divide(masking * outHalf, cosOut * cosHalf);
-  bool valid = cosOut > 0.0f && cosIn > 0.0f && outHalf > 0.0f && cosHalf > 0.0f;
+  precise bool valid = cosOut > 0.0f && cosIn > 0.0f && outHalf > 0.0f && cosHalf > 0.0f;
   precise vec3 weight = select(valid, reflectance * factor, vec3(0.0f));
   precise ScatterSample result = ScatterSample(direction, weight);
   return result;
@@ -58,7 +58,7 @@ ScatterSample chosenScatter(bool condition, ScatterSample a, ScatterSample b) {
 // One lobe, chosen with the material's chances, and a direction from it. `normal` faces against d.
 ScatterSample sampleScattering(Scattering material, vec3 normal, vec3 d, float lobeChoice, float u,
                                float v) {
-  bool specular = lobeChoice < material.specularChance;
+  precise bool specular = lobeChoice < material.specularChance;
   precise ScatterSample result = ScatterSample(normal, vec3(0.0f));
   if (kEffectDiffuse && anyLane(!specular)) {
     precise vec3 direction = tangentToWorld(normal, sampleCosineHemisphere(u, v));
@@ -66,14 +66,14 @@ ScatterSample sampleScattering(Scattering material, vec3 normal, vec3 d, float l
     result = chosenScatter(!specular, diffuse, result);
   }
   if (kEffectMirror) {
-    bool here = specular && material.lobe == kLobeMirror;
+    precise bool here = specular && material.lobe == kLobeMirror;
     if (anyLane(here)) {
       precise ScatterSample mirror = ScatterSample(reflect3(d, normal), material.specularWeight);
       result = chosenScatter(here, mirror, result);
     }
   }
   if (kEffectGgx) {
-    bool here = specular && material.lobe == kLobeGgx;
+    precise bool here = specular && material.lobe == kLobeGgx;
     if (anyLane(here)) {
       precise ScatterSample glossy =
           sampleGgx(normal, d, material.alpha, material.specularWeight, u, v);
@@ -81,7 +81,7 @@ ScatterSample sampleScattering(Scattering material, vec3 normal, vec3 d, float l
     }
   }
   if (kEffectPhong) {
-    bool here = specular && material.lobe == kLobePhong;
+    precise bool here = specular && material.lobe == kLobePhong;
     if (anyLane(here)) {
       precise ScatterSample glossy = samplePhong(normal, d, material.phongScale,
                                                  material.phongInverse, material.specularWeight,

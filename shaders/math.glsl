@@ -66,7 +66,7 @@ SinCos sinCosReduced(float angle, int quarters) {
       ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * (z * angle) + angle;
   precise float c = ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z +
                      4.166664568298827e-2f) * (z * z) - 0.5f * z + 1.0f;
-  bool swapped = (quarters & 1) != 0;
+  precise bool swapped = (quarters & 1) != 0;
   precise float sineSize = select(swapped, c, s);
   precise float cosineSize = select(swapped, s, c);
   precise float sine = select((quarters & 2) != 0, -sineSize, sineSize);
@@ -103,7 +103,7 @@ float log2Of(float x) {
   int bits = floatBitsToInt(x);
   int exponent = ((bits >> 23) & 255) - 126;
   precise float fraction = intBitsToFloat((bits & 0x007fffff) | 0x3f000000);
-  bool low = fraction < 0.707106781f;
+  precise bool low = fraction < 0.707106781f;
   precise float mantissa = select(low, fraction + fraction, fraction);
   precise float m = mantissa - 1.0f;
   precise float z = m * m;
@@ -149,11 +149,11 @@ float power(float x, float y) {
 float arcTangent2(float y, float x) {
   precise float ax = absolute(x);
   precise float ay = absolute(y);
-  bool steep = ay > ax;
+  precise bool steep = ay > ax;
   precise float longer = select(steep, ay, ax);
   precise float shorter = select(steep, ax, ay);
   precise float ratio = select(longer > 0.0f, divide(shorter, longer), 0.0f);
-  bool folded = ratio > 0.414213562f;
+  precise bool folded = ratio > 0.414213562f;
   precise float a = select(folded, divide(ratio - 1.0f, ratio + 1.0f), ratio);
   precise float z = a * a;
   precise float p = (((8.05374449538e-2f * z - 1.38776856032e-1f) * z + 1.99777106478e-1f) * z -

@@ -11,33 +11,35 @@ bool anyLane(bool condition) {
   return condition;
 }
 
-float select(bool condition, float a, float b) {
+float select(precise bool condition, float a, float b) {
   precise float result = condition ? a : b;
   return result;
 }
 
-int select(bool condition, int a, int b) {
+int select(precise bool condition, int a, int b) {
   return condition ? a : b;
 }
 
-uint select(bool condition, uint a, uint b) {
+uint select(precise bool condition, uint a, uint b) {
   return condition ? a : b;
 }
 
-vec3 select(bool condition, vec3 a, vec3 b) {
+vec3 select(precise bool condition, vec3 a, vec3 b) {
   precise vec3 result = condition ? a : b;
   return result;
 }
 
 // The smaller value; a NaN in b is dropped, a NaN in a stays.
 float least(float a, float b) {
-  precise float result = b < a ? b : a;
+  precise bool smaller = b < a;
+  precise float result = smaller ? b : a;
   return result;
 }
 
 // The larger value; a NaN in b is dropped, a NaN in a stays.
 float greatest(float a, float b) {
-  precise float result = b > a ? b : a;
+  precise bool larger = b > a;
+  precise float result = larger ? b : a;
   return result;
 }
 

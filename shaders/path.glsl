@@ -15,7 +15,7 @@ vec3 directLight(vec3 origin, vec3 normal, vec3 d, Reflectance material, SampleK
     precise float v = noise(key, bounce, dimension + 1);
     precise LightSample light = sampleLight(fetchLight(i), origin, u, v);
     precise vec3 reflected = evaluateReflectance(material, normal, d, light.direction) * light.value;
-    bool blocked = occluded(makeRay(origin, light.direction, 0.0f, light.distance));
+    precise bool blocked = occluded(makeRay(origin, light.direction, 0.0f, light.distance));
     sum = sum + select(blocked, vec3(0.0f), reflected);
   }
   return sum;

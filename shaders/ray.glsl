@@ -39,7 +39,7 @@ vec3 pointAt(Ray ray, float t) {
 // The better of the best hit and a candidate: smaller t, then lower primitive. A candidate that
 // misses has t = infinity, which no best hit has.
 Hit nearer(Hit best, float t, int primitive) {
-  bool closer = t < best.t || (t == best.t && primitive < best.primitive);
+  precise bool closer = t < best.t || (t == best.t && primitive < best.primitive);
   precise float bestT = select(closer, t, best.t);
   precise Hit result = Hit(bestT, select(closer, primitive, best.primitive));
   return result;

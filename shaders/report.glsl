@@ -34,8 +34,8 @@ vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int
         vec3(noise(key, bounce, dimension), noise(key, bounce, dimension + 1),
              noise(key, bounce, dimension + 2));
     precise vec3 octant = normalize3(corner) * light.radius;
-    bool sphere = light.kind == kLightSphere;
-    bool sun = light.kind == kLightSun;
+    precise bool sphere = light.kind == kLightSphere;
+    precise bool sun = light.kind == kLightSun;
     precise vec3 towards = select(sphere, light.position + octant, light.position) - origin;
     precise float squared = dot3(towards, towards);
     precise float distance = squareRoot(squared);
@@ -45,7 +45,7 @@ vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int
     precise vec3 value = select(sun, light.radiance, divide(intensity, squared));
     precise float reach = select(sun, kLargest, distance);
     precise float cosine = greatest(dot3(normal, direction), 0.0f);
-    bool blocked = occluded(makeRay(origin, direction, 0.0f, reach));
+    precise bool blocked = occluded(makeRay(origin, direction, 0.0f, reach));
     precise vec3 reflected = albedo * (value * cosine);
     sum = sum + select(blocked, vec3(0.0f), reflected);
   }
@@ -67,8 +67,8 @@ PathState stepReport(PathState state, Frame frame) {
     radiance = withLight(vertex, state.throughput, direct);
   }
   precise RandomPair random = reportRandom(state.key, vertex.position, state.bounce);
-  bool specular = random.first < chances.specularChance;
-  bool mirror = specular && chances.lobe == kLobeMirror;
+  precise bool specular = random.first < chances.specularChance;
+  precise bool mirror = specular && chances.lobe == kLobeMirror;
   precise vec3 mirrored = reflect3(state.ray.direction, normal);
   precise vec3 axis = select(specular, mirrored, normal);
   precise float inverse = select(specular, chances.phongInverse, 0.5f);

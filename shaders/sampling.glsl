@@ -6,7 +6,7 @@
 // A direction in the frame whose third axis is the unit vector n. Helper axis and order of the
 // cross products as in the report's ancestor (eq. 11, algorithm 3).
 vec3 tangentToWorld(vec3 n, vec3 local) {
-  bool nearX = absolute(n.x) > 0.99f;
+  precise bool nearX = absolute(n.x) > 0.99f;
   precise vec3 helper = select(nearX, vec3(0.0f, 0.0f, 1.0f), vec3(1.0f, 0.0f, 0.0f));
   precise vec3 tangent = normalize3(cross3(n, helper));
   precise vec3 binormal = normalize3(cross3(n, tangent));

@@ -40,7 +40,7 @@ struct FaceChoice {
 
 FaceChoice closerFace(FaceChoice best, float t, float planeT, vec3 normal) {
   precise float error = absolute(planeT - t);
-  bool better = error < best.error;
+  precise bool better = error < best.error;
   precise FaceChoice result =
       FaceChoice(select(better, error, best.error), select(better, normal, best.normal));
   return result;
@@ -141,7 +141,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   precise Surface result = Surface(vec3(0.0f), vec3(0.0f, 1.0f, 0.0f), 0.0f);
   int first = 0;
   if (kEffectSphere) {
-    bool here = hit.primitive < kSphereCount;
+    precise bool here = hit.primitive < kSphereCount;
     if (anyLane(here)) {
       precise Sphere sphere = fetchSphere(select(here, hit.primitive, 0));
       precise Surface found = sphereSurface(ray, hit.t, sphere);
@@ -150,7 +150,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   }
   first += kSphereCount;
   if (kEffectBox) {
-    bool here = hit.primitive >= first && hit.primitive < first + kBoxCount;
+    precise bool here = hit.primitive >= first && hit.primitive < first + kBoxCount;
     if (anyLane(here)) {
       precise Box box = fetchBox(select(here, hit.primitive - first, 0));
       precise Surface found = chosenBoxSurface(ray, hit.t, box);
@@ -159,7 +159,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   }
   first += kBoxCount;
   if (kEffectOrientedBox) {
-    bool here = hit.primitive >= first && hit.primitive < first + kOrientedBoxCount;
+    precise bool here = hit.primitive >= first && hit.primitive < first + kOrientedBoxCount;
     if (anyLane(here)) {
       precise OrientedBox box = fetchOrientedBox(select(here, hit.primitive - first, 0));
       precise Surface found = orientedBoxSurface(ray, hit.t, box);
@@ -168,7 +168,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   }
   first += kOrientedBoxCount;
   if (kEffectPlane) {
-    bool here = hit.primitive >= first && hit.primitive < first + kPlaneCount;
+    precise bool here = hit.primitive >= first && hit.primitive < first + kPlaneCount;
     if (anyLane(here)) {
       precise Plane plane = fetchPlane(select(here, hit.primitive - first, 0));
       precise Surface found = planeSurface(ray, hit.t, plane);

@@ -20,9 +20,9 @@ struct Vertex {
 Vertex arrive(PathState state, Frame frame) {
   precise Hit hit = closestHit(state.ray);
   precise vec3 d = state.ray.direction;
-  bool missed = hit.primitive == kNoPrimitive;
-  bool escaped = state.alive && missed;
-  bool found = state.alive && !missed;
+  precise bool missed = hit.primitive == kNoPrimitive;
+  precise bool escaped = state.alive && missed;
+  precise bool found = state.alive && !missed;
   precise vec3 radiance = state.radiance;
   if (anyLane(escaped)) {
     precise vec3 lit = radiance + state.throughput * environment(d);
@@ -33,7 +33,7 @@ Vertex arrive(PathState state, Frame frame) {
     precise vec3 lit = radiance + state.throughput * info.emission;
     radiance = select(found, lit, radiance);
   }
-  bool scatters = found && state.bounce < frame.bounces;
+  precise bool scatters = found && state.bounce < frame.bounces;
   if (!kEffectIndirect) {
     scatters = scatters && state.bounce < 1;
   }
@@ -66,7 +66,7 @@ PathState stop(PathState state, vec3 radiance) {
 PathState leave(PathState state, Vertex vertex, vec3 radiance, vec3 direction, vec3 weight) {
   precise vec3 throughput = state.throughput * weight;
   precise Ray ray = makeRay(vertex.origin, direction, 0.0f, kLargest);
-  bool alive = vertex.scatters && !isBlack(throughput);
+  precise bool alive = vertex.scatters && !isBlack(throughput);
   precise PathState result =
       PathState(state.key, ray, throughput, radiance, state.bounce + 1, alive);
   return result;

@@ -19,8 +19,8 @@ vec3 localIllumination(vec3 origin, vec3 normal, vec3 d, LocalShading material, 
     precise float highlight = power(dot3(halfway, normal), material.exponent);
     precise vec3 diffuse = material.albedo * lambert;
     precise vec3 shaded = (diffuse + material.highlight * highlight) * light.value;
-    bool faces = lambert > 0.0f;
-    bool blocked = occluded(makeRay(origin, light.direction, 0.0f, light.distance));
+    precise bool faces = lambert > 0.0f;
+    precise bool blocked = occluded(makeRay(origin, light.direction, 0.0f, light.distance));
     sum = sum + select(faces && !blocked, shaded, vec3(0.0f));
   }
   return sum;

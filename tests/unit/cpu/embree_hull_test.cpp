@@ -7,7 +7,7 @@
 #include <random>
 
 #include "common/base/error.h"
-#include "cpu/flush_denormals.h"
+#include "common/base/flush_denormals.h"
 #include "cpu/kernel/surface.h"
 #include "cpu/kernel/traverse.h"
 #include "tests/catch.h"

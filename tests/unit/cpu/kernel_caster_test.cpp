@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "cpu/flush_denormals.h"
+#include "common/base/flush_denormals.h"
 #include "cpu/kernel/surface.h"
 #include "cpu/kernel/traverse.h"
 #include "tests/catch.h"

@@ -8,7 +8,7 @@
 
 #include "common/scene/reader.h"
 #include "cpu/embree_caster.h"
-#include "cpu/flush_denormals.h"
+#include "common/base/flush_denormals.h"
 #include "cpu/kernel/path_state.h"
 #include "cpu/kernel/sampling.h"
 #include "cpu/kernel/surface.h"
