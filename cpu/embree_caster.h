@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "common/scene/flat_scene.h"
 #include "common/trace/ray_caster.h"
@@ -20,5 +21,8 @@ class EmbreeCaster : public RayCaster {
 /// infinite, or have no direction, miss.
 /// @throws DeviceError if Embree fails.
 std::unique_ptr<EmbreeCaster> makeEmbreeCaster(std::shared_ptr<const FlatScene> scene);
+
+/// Version of the Embree library that this program was built with.
+std::string embreeVersion();
 
 }  // namespace twintrace

@@ -26,9 +26,16 @@ struct FrameJob {
 /// Renders a tile of a frame: per pixel the float sum of its samples in sample order.
 using TileKernel = void (*)(const FrameJob& job, const Tile& tile);
 
-void renderTileFloat(const FrameJob& job, const Tile& tile);
-void renderTileNative(const FrameJob& job, const Tile& tile);
-void renderTileDouble(const FrameJob& job, const Tile& tile);
+/// The kernels that carry one ray at a time.
+struct ScalarKernels {
+  TileKernel strict;
+  TileKernel native;
+  TileKernel float64;
+};
+
+// The scalar text is compiled twice as well: AVX2 has the blend that `select` wants.
+ScalarKernels scalarKernelsBaseline();
+ScalarKernels scalarKernelsAvx2();
 void renderTileSse2(const FrameJob& job, const Tile& tile);
 void renderTileAvx2(const FrameJob& job, const Tile& tile);
 void renderTileAvx512(const FrameJob& job, const Tile& tile);

@@ -1,3 +1,6 @@
+// Built once per instruction set, with TWINTRACE_KERNEL_BUILD naming the namespace and
+// TWINTRACE_SCALAR_KERNELS the function.
+
 #include "common/base/flush_denormals.h"
 #include "cpu/kernel/integrator.h"
 #include "cpu/kernel_entry.h"
@@ -25,12 +28,9 @@ void renderTileScalar(const FrameJob& job, const Tile& tile) {
 
 }  // namespace
 
-void renderTileFloat(const FrameJob& job, const Tile& tile) { renderTileScalar<float>(job, tile); }
-void renderTileNative(const FrameJob& job, const Tile& tile) {
-  renderTileScalar<kernel::NativeFloat>(job, tile);
-}
-void renderTileDouble(const FrameJob& job, const Tile& tile) {
-  renderTileScalar<double>(job, tile);
+ScalarKernels TWINTRACE_SCALAR_KERNELS() {
+  return {renderTileScalar<float>, renderTileScalar<kernel::NativeFloat>,
+          renderTileScalar<double>};
 }
 
 }  // namespace twintrace

@@ -50,9 +50,11 @@ Lanes chosenLanes(const RenderOptions& options) {
 namespace {
 
 TileKernel chooseKernel(const RenderOptions& options, Lanes lanes, InstructionSet set) {
-  if (options.precision == Precision::float64) return renderTileDouble;
-  if (options.maths == Maths::native) return renderTileNative;
-  if (lanes == Lanes::scalar) return renderTileFloat;
+  const ScalarKernels scalar =
+      set == InstructionSet::sse2 ? scalarKernelsBaseline() : scalarKernelsAvx2();
+  if (options.precision == Precision::float64) return scalar.float64;
+  if (options.maths == Maths::native) return scalar.native;
+  if (lanes == Lanes::scalar) return scalar.strict;
   switch (set) {
     case InstructionSet::avx512:
       return renderTileAvx512;
@@ -100,7 +102,7 @@ class CpuRenderer : public Renderer {
     const bool wide = lanes_ == Lanes::wide;
     return {{"backend", "cpu"},
             {"lanes", wide ? "wide" : "scalar"},
-            {"instruction_set", wide ? instructionSetName(settings_.instructionSet) : "scalar"},
+            {"instruction_set", instructionSetName(settings_.instructionSet)},
             {"hull", options_.hull == "embree" ? "embree" : "none"}};
   }
 

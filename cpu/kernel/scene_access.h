@@ -22,11 +22,14 @@ struct TexelBlock {
   IntOf<R> integer(int texel, int component) const { return toSigned(words[4 * texel + component]); }
 };
 
-/// The record at a texel, the same one in all lanes. wide.h has the overload for one per lane.
+/// Record `index` of `count` at a table's first texel, the same one in all lanes. wide.h has the
+/// overload for one per lane.
 template <class R, int texelCount>
-TexelBlock<R, texelCount> fetchTexels(const SceneView& scene, std::int32_t first) {
+TexelBlock<R, texelCount> fetchRecord(const SceneView& scene, int table, int stride,
+                                      std::int32_t index, int /*count*/) {
   return [&]<std::size_t... i>(std::index_sequence<i...>) {
-    const std::uint32_t* words = scene.words + std::size_t{4} * first;
+    const std::uint32_t* words =
+        scene.words + std::size_t{4} * (static_cast<std::size_t>(index) * stride + table);
     return TexelBlock<R, texelCount>{{UintOf<R>(words[i])...}};
   }(std::make_index_sequence<4 * texelCount>());
 }
@@ -45,38 +48,37 @@ Camera<R> fetchCamera(const SceneView& scene) {
 
 template <class R, class Index>
 Sphere<R> fetchSphere(const SceneView& scene, Index index) {
-  const auto block = fetchTexels<R, kSphereTexels>(
-      scene, index * Index(kSphereTexels) + Index(scene.index.sphereOffset));
+  const auto block = fetchRecord<R, kSphereTexels>(scene, scene.index.sphereOffset, kSphereTexels, index,
+                                            scene.index.sphereCount);
   return {block.floats3(0), block.float4th(0)};
 }
 
 template <class R, class Index>
 Box<R> fetchBox(const SceneView& scene, Index index) {
-  const auto block = fetchTexels<R, kBoxTexels>(
-      scene, index * Index(kBoxTexels) + Index(scene.index.boxOffset));
+  const auto block = fetchRecord<R, kBoxTexels>(scene, scene.index.boxOffset, kBoxTexels, index,
+                                            scene.index.boxCount);
   return {block.floats3(0), block.floats3(1)};
 }
 
 template <class R, class Index>
 OrientedBox<R> fetchOrientedBox(const SceneView& scene, Index index) {
-  const auto block = fetchTexels<R, kOrientedBoxTexels>(
-      scene, index * Index(kOrientedBoxTexels) + Index(scene.index.orientedBoxOffset));
+  const auto block = fetchRecord<R, kOrientedBoxTexels>(scene, scene.index.orientedBoxOffset, kOrientedBoxTexels, index,
+                                            scene.index.orientedBoxCount);
   return {block.floats3(0), block.floats3(1), block.floats3(2), block.floats3(3),
           block.floats3(4)};
 }
 
 template <class R, class Index>
 Plane<R> fetchPlane(const SceneView& scene, Index index) {
-  const auto block = fetchTexels<R, kPlaneTexels>(
-      scene, index * Index(kPlaneTexels) + Index(scene.index.planeOffset));
+  const auto block = fetchRecord<R, kPlaneTexels>(scene, scene.index.planeOffset, kPlaneTexels, index,
+                                            scene.index.planeCount);
   return {block.floats3(0), block.floats3(1)};
 }
 
 template <class R>
 PrimitiveInfo<R> fetchPrimitiveInfo(const SceneView& scene, IntOf<R> primitive) {
-  using Index = IntOf<R>;
-  const auto block = fetchTexels<R, kInfoTexels>(
-      scene, primitive * Index(kInfoTexels) + Index(scene.index.infoOffset));
+  const auto block = fetchRecord<R, kInfoTexels>(scene, scene.index.infoOffset, kInfoTexels,
+                                                 primitive, scene.index.primitiveCount());
   return {block.floats3(0), block.integer(0, 3)};
 }
 
@@ -84,8 +86,8 @@ PrimitiveInfo<R> fetchPrimitiveInfo(const SceneView& scene, IntOf<R> primitive) 
 template <class R, int texelCount>
 TexelBlock<R, texelCount> fetchMaterialTexels(const SceneView& scene, IntOf<R> material,
                                               int first) {
-  return fetchTexels<R, texelCount>(scene, material * IntOf<R>(kMaterialTexels) +
-                                               IntOf<R>(scene.index.materialOffset + first));
+  return fetchRecord<R, texelCount>(scene, scene.index.materialOffset + first, kMaterialTexels,
+                                    material, scene.index.materialCount);
 }
 
 template <class R>
@@ -110,9 +112,11 @@ LocalShading<R> fetchLocalShading(const SceneView& scene, IntOf<R> material) {
 
 template <class R>
 Light<R> fetchLight(const SceneView& scene, int index) {
-  const int first = index * kLightTexels + scene.index.lightOffset;
-  const auto block = fetchTexels<R, kLightTexels>(scene, first);
-  const int kind = fetchTexels<float, 1>(scene, first + 2).integer(0, 0);
+  const int table = scene.index.lightOffset;
+  const int count = scene.index.lightCount;
+  const auto block = fetchRecord<R, kLightTexels>(scene, table, kLightTexels, index, count);
+  const auto plain = fetchRecord<float, kLightTexels>(scene, table, kLightTexels, index, count);
+  const int kind = plain.integer(2, 0);
   return {kind, block.floats3(0), block.float4th(0), block.floats3(1), block.float4th(1)};
 }
 
@@ -128,10 +132,11 @@ R fetchEnvironmentTurn(const SceneView& scene) {
 
 template <class R>
 Vec3<R> fetchEnvironmentPixel(const SceneView& scene, IntOf<R> x, IntOf<R> y) {
-  using Index = IntOf<R>;
-  return fetchTexels<R, 1>(scene, y * Index(scene.index.environmentWidth) + x +
-                                      Index(scene.index.environmentOffset))
-      .floats3(0);
+  const int width = scene.index.environmentWidth;
+  const int count = width * scene.index.environmentHeight;
+  const auto block = fetchRecord<R, 1>(scene, scene.index.environmentOffset, 1,
+                                       y * IntOf<R>(width) + x, count);
+  return block.floats3(0);
 }
 
 TWINTRACE_KERNEL_END

@@ -173,23 +173,37 @@ TWINTRACE_INLINE R numberFromBits(WideUint bits) {
   return R(std::bit_cast<SimdFloat>(bits.value));
 }
 
-/// A record per lane. Lanes mostly share a few records, so each distinct one is broadcast once to
-/// the lanes that want it: several times faster than gathering word by word.
+/// Gives one record to the lanes of a mask.
+template <std::size_t wordCount>
+TWINTRACE_INLINE void deal(const std::uint32_t* source, WideMask lanes,
+                           SimdUint (&words)[wordCount]) {
+  const auto mask = std::bit_cast<SimdUint::mask_type>(lanes.value);
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    ((stdx::where(mask, words[i]) = SimdUint(source[i])), ...);
+  }(std::make_index_sequence<wordCount>());
+}
+
+/// A record per lane, by broadcasting whole records to the lanes that want them: several times faster
+/// than gathering word by word. Small tables are gone through in order, so that no step waits for the
+/// one before; in large ones each distinct record that a lane asks for is dealt once.
 template <class R, int texelCount>
-TWINTRACE_INLINE TexelBlock<R, texelCount> fetchTexels(const SceneView& scene, WideInt first) {
+TWINTRACE_INLINE TexelBlock<R, texelCount> fetchRecord(const SceneView& scene, int table, int stride,
+                                                       WideInt index, int count) {
   SimdUint words[4 * texelCount] = {};
-  alignas(64) std::int32_t wanted[kLanes];
-  first.value.copy_to(wanted, stdx::vector_aligned);
-  WideMask missing(true);
-  while (anyLane(missing)) {
-    const std::int32_t texel = wanted[stdx::find_first_set(missing.value)];
-    const WideMask here = first == WideInt(texel);
-    const std::uint32_t* source = scene.words + std::size_t{4} * static_cast<std::uint32_t>(texel);
-    const auto mask = std::bit_cast<SimdUint::mask_type>(here.value);
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      ((stdx::where(mask, words[i]) = SimdUint(source[i])), ...);
-    }(std::make_index_sequence<4 * texelCount>());
-    missing = missing && !here;
+  const std::uint32_t* first = scene.words + std::size_t{4} * table;
+  const std::size_t step = std::size_t{4} * stride;
+  if (count <= kLanes) {
+    for (int i = 0; i < count; ++i) deal(first + i * step, index == WideInt(i), words);
+  } else {
+    alignas(64) std::int32_t wanted[kLanes];
+    index.value.copy_to(wanted, stdx::vector_aligned);
+    WideMask missing(true);
+    while (anyLane(missing)) {
+      const std::int32_t record = wanted[stdx::find_first_set(missing.value)];
+      const WideMask here = index == WideInt(record);
+      deal(first + static_cast<std::size_t>(record) * step, here, words);
+      missing = missing && !here;
+    }
   }
   return [&]<std::size_t... i>(std::index_sequence<i...>) {
     return TexelBlock<R, texelCount>{{WideUint(words[i])...}};
