@@ -1,0 +1,347 @@
+// Inputs for shader functions. Most functions take any bit pattern; where a contract restricts a
+// parameter (valid indices, random numbers in [0, 1], ...) or where arbitrary values would only ever
+// take one branch, its name decides what is drawn: first "function.path", then "Struct.member", then
+// the name alone, then whatever its type allows.
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <random>
+#include <string_view>
+
+#include "common/base/flush_denormals.h"
+#include "tests/parity/parity.h"
+
+namespace twintrace::parity {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kTiny = std::numeric_limits<float>::min();
+constexpr float kHuge = std::numeric_limits<float>::max();
+constexpr std::size_t kSpecialCount = 4096;
+
+/// Where a value is drawn from: a generator of random numbers, and whether special values are due.
+class Source {
+ public:
+  Source(const World& world, std::uint64_t seed) : world(world), random_(seed) {}
+
+  const World& world;
+  double specialChance = 0.0;
+
+  bool special() { return real() < specialChance; }
+  double real() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
+  float uniform(double low, double high) { return static_cast<float>(low + (high - low) * real()); }
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  std::uint32_t bits() { return static_cast<std::uint32_t>(random_()); }
+  template <std::size_t n>
+  float oneOf(const float (&values)[n]) {
+    return values[bits() % n];
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+constexpr float kSpecialFloats[] = {
+    0.0f, -0.0f, kTiny, -kTiny, 1e-40f, -1e-45f, kInf, -kInf, kNan, kHuge, -kHuge, 1.0f, -1.0f, 0.5f,
+    2.0f, 0.99999994f, 1.0000001f, -0.5f, 8388608.0f, 8388607.5f, -8388607.5f, 16777216.0f, 2.5f,
+    1.57079633f, 3.14159265f, 0.70710678f, 1e-9f, 1e9f, -3.0f, 1e-20f, 1e20f};
+
+float anyFloat(Source& from) {
+  if (from.special()) return from.oneOf(kSpecialFloats);
+  switch (from.integer(0, 7)) {
+    case 0:
+      return std::bit_cast<float>(from.bits());
+    case 1:
+    case 2:
+      return std::ldexp(from.uniform(-2.0, 2.0), from.integer(-20, 20));
+    default:
+      return from.uniform(-2.0, 2.0);
+  }
+}
+
+float unitInterval(Source& from) {
+  constexpr float kEnds[] = {0.0f, 1.0f, 0.99999994f, 5.9604645e-8f, 0.25f, 0.5f, 0.75f, 0.125f,
+                             kTiny, 1e-40f};
+  if (from.special()) return from.oneOf(kEnds);
+  return static_cast<float>(from.bits() >> 8) * 5.9604644775390625e-8f;
+}
+
+/// Values in [low, high] mostly, any float when special ones are due.
+auto within(double low, double high) {
+  return [=](Source& from) {
+    return from.special() ? from.oneOf(kSpecialFloats) : from.uniform(low, high);
+  };
+}
+
+float distance(Source& from) {
+  if (from.special()) return from.oneOf(kSpecialFloats);
+  return from.integer(0, 3) == 0 ? kHuge : from.uniform(0.0, 6.0);
+}
+float nearEnd(Source& from) { return from.special() ? from.oneOf(kSpecialFloats) : 0.0f; }
+float farEnd(Source& from) { return from.special() ? from.oneOf(kSpecialFloats) : kHuge; }
+
+using Vector = std::array<float, 3>;
+
+Vector anyVector(Source& from) {
+  if (from.integer(0, 3) == 0) return {anyFloat(from), anyFloat(from), anyFloat(from)};
+  const auto near = within(-2.0, 2.0);
+  return {near(from), near(from), near(from)};
+}
+
+// Round coordinates, so that points on faces, edges and centres come up.
+float coordinate(Source& from) {
+  constexpr float kRound[] = {0.0f, -0.0f, 0.5f, -0.5f, 1.0f, -1.0f, 0.50005f, 1e-5f, 1e6f, -1e6f,
+                              kInf, kNan, kHuge, 1e-40f};
+  return from.special() ? from.oneOf(kRound) : from.uniform(-2.0, 2.0);
+}
+Vector point(Source& from) { return {coordinate(from), coordinate(from), coordinate(from)}; }
+
+Vector unitVector(Source& from) {
+  double v[3];
+  double squared = 0.0;
+  do {
+    for (double& x : v) x = 2.0 * from.real() - 1.0;
+    squared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  } while (squared > 1.0 || squared < 1e-6);
+  const double scale = 1.0 / std::sqrt(squared);
+  return {static_cast<float>(v[0] * scale), static_cast<float>(v[1] * scale),
+          static_cast<float>(v[2] * scale)};
+}
+
+// Axis-parallel, grazing, not unit, zero and not finite where special values are due.
+Vector direction(Source& from) {
+  constexpr float kParts[] = {0.0f, -0.0f, 1.0f, -1.0f, 1e-6f, -1e-6f, 0.70710678f, -0.70710678f,
+                              1e-20f, 1e10f, 0.995f, kNan, kInf, 1e-40f};
+  if (from.special()) {
+    if (from.integer(0, 1) == 0) {
+      Vector axis = {0.0f, 0.0f, 0.0f};
+      axis[from.bits() % 3] = from.integer(0, 1) == 0 ? 1.0f : -1.0f;
+      axis[from.bits() % 3] += from.integer(0, 3) == 0 ? 1e-6f : 0.0f;
+      return axis;
+    }
+    return {from.oneOf(kParts), from.oneOf(kParts), from.oneOf(kParts)};
+  }
+  return unitVector(from);
+}
+
+Vector colour(Source& from) {
+  const auto channel = [](Source& f) {
+    constexpr float kEnds[] = {0.0f, 1.0f, -0.0f, kTiny, 1e-40f, kInf, kNan, kHuge};
+    return f.special() ? f.oneOf(kEnds) : f.uniform(0.0, 2.0);
+  };
+  return {channel(from), channel(from), channel(from)};
+}
+
+/// A box corner on one side of the origin, mostly.
+auto corner(double low, double high) {
+  return [=](Source& from) -> Vector {
+    const auto part = within(low, high);
+    return {part(from), part(from), part(from)};
+  };
+}
+
+int anyInteger(Source& from) {
+  constexpr int kSpecial[] = {0, 1, -1, 2, std::numeric_limits<int>::max(),
+                              std::numeric_limits<int>::min()};
+  return from.special() ? kSpecial[from.bits() % 6] : static_cast<int>(from.bits());
+}
+std::uint32_t anyNatural(Source& from) {
+  constexpr std::uint32_t kSpecial[] = {0u, 1u, 255u, 256u, 0x7fffffffu, 0x80000000u, 0xffffffffu};
+  return from.special() ? kSpecial[from.bits() % 7] : from.bits();
+}
+
+auto between(int low, int high) {
+  return [=](Source& from) { return from.integer(low, high); };
+}
+/// Below one of the scene's counts.
+auto below(int SceneIndex::*count) {
+  return [=](Source& from) { return from.integer(0, from.world.scene.index.*count - 1); };
+}
+int validPrimitive(Source& from) {
+  return from.integer(0, from.world.scene.index.primitiveCount() - 1);
+}
+int anyPrimitive(Source& from) {
+  return from.integer(0, 7) == 0 ? layout::kNoPrimitive : validPrimitive(from);
+}
+int anyTexel(Source& from) {
+  return from.integer(0, static_cast<int>(from.world.scene.texels.size()) - 1);
+}
+
+template <class Value>
+using Domains = std::map<std::string, std::function<Value(Source&)>, std::less<>>;
+
+const Domains<float>& floatDomains() {
+  static const Domains<float> domains = {
+      {"u", unitInterval},
+      {"v", unitInterval},
+      {"lobeChoice", unitInterval},
+      {"specularChance", unitInterval},
+      {"alpha", unitInterval},
+      {"inverse", unitInterval},
+      {"phongInverse", unitInterval},
+      {"phongScale", within(1.0, 1.5)},
+      {"exponent", within(0.0, 200.0)},
+      {"phongExponent", within(1.0, 1000.0)},
+      {"cosTheta", within(-0.2, 1.0)},
+      {"height", within(0.0, 2.0)},
+      {"radius", within(0.0, 1.5)},
+      {"t", distance},
+      {"planeT", distance},
+      {"distance", distance},
+      {"tmin", nearEnd},
+      {"tmax", farEnd},
+      {"offset", within(0.0, 1e-5)},
+      {"error", within(0.0, 1e-5)},
+      {"angle", within(-0.8, 0.8)},
+      {"sinCosReduced.angle", within(-0.8, 0.8)},
+      {"environmentBilinear.column", within(-1.0, 17.0)},
+      {"environmentBilinear.row", within(-1.0, 9.0)},
+  };
+  return domains;
+}
+
+const Domains<Vector>& vectorDomains() {
+  static const Domains<Vector> domains = {
+      {"direction", direction},
+      {"d", direction},
+      {"n", direction},
+      {"i", direction},
+      {"normal", direction},
+      {"facing", direction},
+      {"axisX", direction},
+      {"axisY", direction},
+      {"axisZ", direction},
+      {"local", direction},
+      {"origin", point},
+      {"center", point},
+      {"position", point},
+      {"point", point},
+      {"p", point},
+      {"halfSize", corner(0.0, 1.5)},
+      {"reportBoxNormal.halfSize", point},
+      {"minimum", corner(-1.5, 0.2)},
+      {"maximum", corner(-0.2, 1.5)},
+      {"throughput", colour},
+      {"radiance", colour},
+      {"weight", colour},
+      {"albedo", colour},
+      {"albedoWeight", colour},
+      {"specular", colour},
+      {"specularWeight", colour},
+      {"reflectance", colour},
+      {"highlight", colour},
+      {"ambient", colour},
+      {"colour", colour},
+      {"value", colour},
+      {"light", colour},
+  };
+  return domains;
+}
+
+const Domains<int>& intDomains() {
+  static const Domains<int> domains = {
+      {"sinCosReduced.quarters", between(-8, 8)},
+      {"wrapColumn.width", between(1, 64)},
+      {"wrapColumn.x", between(-64, 128)},
+      {"fetchEnvironmentPixel.x", below(&SceneIndex::environmentWidth)},
+      {"fetchEnvironmentPixel.y", below(&SceneIndex::environmentHeight)},
+      {"fetchSphere.index", below(&SceneIndex::sphereCount)},
+      {"fetchBox.index", below(&SceneIndex::boxCount)},
+      {"fetchOrientedBox.index", below(&SceneIndex::orientedBoxCount)},
+      {"fetchPlane.index", below(&SceneIndex::planeCount)},
+      {"fetchLight.index", below(&SceneIndex::lightCount)},
+      {"fetchTexel.index", anyTexel},
+      {"fetchPrimitiveInfo.primitive", validPrimitive},
+      {"primitive", anyPrimitive},
+      {"material", below(&SceneIndex::materialCount)},
+      {"kind", between(layout::kLightPoint, layout::kLightSun)},
+      {"lobe", between(layout::kLobeNone, layout::kLobePhong)},
+      {"bounce", between(0, 8)},
+      {"dimension", between(0, layout::kCounterStride - 1)},
+      {"x", between(0, 47)},
+      {"y", between(0, 31)},
+      {"width", between(1, 4096)},
+      {"Frame.width", between(48, 48)},
+      {"Frame.bounces", between(0, 5)},
+      {"Frame.passes", between(1, 2)},
+  };
+  return domains;
+}
+
+template <class Value>
+Value draw(const Domains<Value>& domains, const ShaderFunction& function, const Slot& slot,
+           Source& from, Value (*otherwise)(Source&)) {
+  const std::string_view path = slot.path;
+  const std::size_t dot = path.rfind('.');
+  const std::string name(dot == std::string_view::npos ? path : path.substr(dot + 1));
+  for (const std::string& key :
+       {std::string(function.name) + "." + slot.path, std::string(slot.owner) + "." + name, name}) {
+    const auto found = domains.find(key);
+    if (found != domains.end()) return found->second(from);
+  }
+  return otherwise(from);
+}
+
+bool isRayInverse(const Slot& slot) {
+  return std::string_view(slot.owner) == "Ray" && std::string_view(slot.path).ends_with(".inverse");
+}
+
+// A ray's inverse belongs to its direction, the slot before it; see makeRay.
+void invertDirection(std::uint32_t* words) {
+  const FlushDenormals flush;
+  for (int i = 0; i < 3; ++i) {
+    const float d = std::bit_cast<float>(words[i - 3]);
+    words[i] = std::bit_cast<std::uint32_t>(d == 0.0f ? kInf : 1.0f / d);
+  }
+}
+
+void drawSlot(const ShaderFunction& function, const Slot& slot, Source& from, std::uint32_t* words) {
+  switch (slot.kind) {
+    case Kind::real:
+      if (isRayInverse(slot)) {
+        invertDirection(words);
+      } else if (slot.size == 1) {
+        const float value = draw(floatDomains(), function, slot, from, &anyFloat);
+        words[0] = std::bit_cast<std::uint32_t>(value);
+      } else {
+        const Vector value = draw(vectorDomains(), function, slot, from, &anyVector);
+        for (int i = 0; i < 3; ++i) words[i] = std::bit_cast<std::uint32_t>(value[i]);
+      }
+      return;
+    case Kind::integer:
+      words[0] = static_cast<std::uint32_t>(draw(intDomains(), function, slot, from, &anyInteger));
+      return;
+    case Kind::natural:
+      for (int i = 0; i < slot.size; ++i) words[i] = anyNatural(from);
+      return;
+    case Kind::truth:
+      words[0] = from.bits() & 1u;
+      return;
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> drawInputs(const ShaderFunction& function, const World& world,
+                                      std::size_t randomCount, std::uint64_t seed) {
+  const auto stride = static_cast<std::size_t>(inputWords(function));
+  const std::size_t count = kSpecialCount + randomCount;
+  std::vector<std::uint32_t> inputs(count * stride);
+  Source from(world, seed);
+  for (std::size_t record = 0; record < count; ++record) {
+    // All special at first, then one or two among ordinary values, then ordinary ones alone.
+    from.specialChance = record < kSpecialCount / 2 ? 1.0 : record < kSpecialCount ? 0.15 : 0.0;
+    std::uint32_t* words = &inputs[record * stride];
+    for (const Slot& slot : function.inputs) {
+      drawSlot(function, slot, from, words);
+      words += slot.size;
+    }
+  }
+  return inputs;
+}
+
+}  // namespace twintrace::parity

@@ -1,0 +1,201 @@
+#include <bit>
+
+#include "common/scene/reader.h"
+#include "tests/parity/parity.h"
+
+namespace twintrace::parity {
+namespace {
+
+// Every kind of primitive, lobe and light, near the origin, where random rays meet them.
+constexpr const char* kScene = R"toml(
+name = "parity"
+[film]
+width = 48
+height = 32
+[camera]
+eye = [0.3, 1.1, 3.2]
+target = [0.0, 0.1, 0.0]
+fov = 50.0
+aperture = 0.05
+focus = 3.0
+[materials.white]
+albedo = [0.7, 0.6, 0.5]
+ambient = [0.1, 0.1, 0.2]
+highlight = [0.3, 0.2, 0.1]
+exponent = 20.0
+[materials.mirror]
+specular = [0.9, 0.8, 0.9]
+[materials.rough]
+albedo = [0.2, 0.3, 0.2]
+specular = [0.5, 0.4, 0.5]
+roughness = 0.4
+highlight = [0.5, 0.5, 0.5]
+[materials.gloss]
+albedo = [0.1, 0.2, 0.3]
+specular = [0.6, 0.6, 0.5]
+roughness = 0.3
+lobe = "phong"
+[materials.lamp]
+emission = [4.0, 3.0, 2.0]
+[[objects]]
+name = "ball"
+shape = "sphere"
+center = [-0.8, 0.1, 0.2]
+radius = 0.6
+material = "rough"
+[[objects]]
+name = "marble"
+shape = "sphere"
+center = [0.4, -0.3, 1.0]
+radius = 0.3
+material = "mirror"
+[[objects]]
+name = "crate"
+shape = "box"
+center = [0.9, 0.0, -0.3]
+size = [0.8, 1.0, 0.7]
+material = "gloss"
+[[objects]]
+name = "lamp"
+shape = "box"
+min = [-0.5, 1.6, -0.5]
+max = [0.5, 1.7, 0.5]
+material = "lamp"
+[[objects]]
+name = "leaning"
+shape = "box"
+center = [0.0, 0.2, -1.2]
+size = [0.9, 1.3, 0.3]
+rotation = [20.0, 35.0, -10.0]
+material = "white"
+[[objects]]
+name = "floor"
+shape = "plane"
+point = [0.0, -0.6, 0.0]
+normal = [0.02, 1.0, -0.01]
+material = "white"
+[[lights]]
+kind = "point"
+position = [1.5, 1.9, 1.0]
+intensity = [2.0, 1.5, 1.0]
+[[lights]]
+kind = "sphere"
+position = [-1.6, 1.4, 1.2]
+radius = 0.25
+intensity = [1.0, 2.0, 1.5]
+[[lights]]
+kind = "sun"
+direction = [0.4, -1.0, -0.3]
+irradiance = [0.6, 0.6, 0.5]
+angle = 0.6
+)toml";
+
+constexpr int kImageWidth = 16;
+constexpr int kImageHeight = 8;
+
+// An environment image without a file: smooth, all channels different.
+void addEnvironment(FlatScene& scene) {
+  scene.index.environmentOffset = static_cast<int>(scene.texels.size());
+  scene.index.environmentWidth = kImageWidth;
+  scene.index.environmentHeight = kImageHeight;
+  scene.environmentRadiance = {0.25f, 0.375f, 0.5f};
+  scene.environmentTurn = 0.3125f;
+  for (int y = 0; y < kImageHeight; ++y) {
+    for (int x = 0; x < kImageWidth; ++x) {
+      const float red = 0.1f + 0.05f * static_cast<float>(x);
+      const float green = 0.9f / static_cast<float>(y + 1);
+      scene.texels.emplace_back(std::bit_cast<std::uint32_t>(red), std::bit_cast<std::uint32_t>(green),
+                                std::bit_cast<std::uint32_t>(red * green), 0u);
+    }
+  }
+}
+
+void setWitness(Witness& w, const FlatScene& scene, const RenderOptions& options) {
+  w.sceneTexels = scene.texels;
+  w.cameraOrigin = scene.camera.origin;
+  w.cameraCorner = scene.camera.corner;
+  w.cameraStepX = scene.camera.stepX;
+  w.cameraStepY = scene.camera.stepY;
+  w.cameraLensX = scene.camera.lensX;
+  w.cameraLensY = scene.camera.lensY;
+  w.environmentRadiance = scene.environmentRadiance;
+  w.environmentTurn = scene.environmentTurn;
+  w.kNoiseSine = options.noise == Noise::sine;
+  w.kIntersectorReport = options.intersector == Intersector::report;
+  w.kIntegrator = static_cast<int>(options.integrator);
+  const SceneIndex& index = scene.index;
+  w.kSphereCount = index.sphereCount;
+  w.kBoxCount = index.boxCount;
+  w.kOrientedBoxCount = index.orientedBoxCount;
+  w.kPlaneCount = index.planeCount;
+  w.kLightCount = index.lightCount;
+  w.kSphereOffset = index.sphereOffset;
+  w.kBoxOffset = index.boxOffset;
+  w.kOrientedBoxOffset = index.orientedBoxOffset;
+  w.kPlaneOffset = index.planeOffset;
+  w.kInfoOffset = index.infoOffset;
+  w.kMaterialOffset = index.materialOffset;
+  w.kLightOffset = index.lightOffset;
+  w.kEnvironmentOffset = index.environmentOffset;
+  w.kEnvironmentWidth = index.environmentWidth;
+  w.kEnvironmentHeight = index.environmentHeight;
+}
+
+World makeWorld(const std::string& name, const RenderOptions& options) {
+  World world{name, options, {}, {}, {}};
+  world.options.effects = "all";
+  world.scene = flatten(parseScene(kScene, "parity.toml"), world.options);
+  addEnvironment(world.scene);
+  world.view = kernel::viewScene(world.scene, world.options, nullptr);
+  setWitness(world.witness, world.scene, world.options);
+  return world;
+}
+
+RenderOptions plainOptions() {
+  RenderOptions options;
+  options.width = 48;
+  options.height = 32;
+  options.geometry = Geometry::buffer;
+  options.intersector = Intersector::robust;
+  return options;
+}
+
+}  // namespace
+
+World plainWorld() {
+  return makeWorld("plain", plainOptions());
+}
+
+std::vector<World> worldsFor(const ShaderFunction& function) {
+  std::vector<World> worlds;
+  const RenderOptions plain = plainOptions();
+  worlds.push_back(makeWorld("plain", plain));
+  if (function.needs.noise) {
+    RenderOptions options = plain;
+    options.noise = Noise::sine;
+    worlds.push_back(makeWorld("noise sine", options));
+  }
+  if (function.needs.intersector) {
+    RenderOptions options = plain;
+    options.intersector = Intersector::report;
+    worlds.push_back(makeWorld("intersector report", options));
+  }
+  if (function.needs.geometry) {
+    RenderOptions options = plain;
+    options.geometry = Geometry::literal;
+    worlds.push_back(makeWorld("geometry literal", options));
+  }
+  if (function.needs.integrator) {
+    for (const auto& [name, integrator] :
+         {std::pair{"integrator local", Integrator::local},
+          {"integrator whitted", Integrator::whitted},
+          {"integrator report", Integrator::report}}) {
+      RenderOptions options = plain;
+      options.integrator = integrator;
+      worlds.push_back(makeWorld(name, options));
+    }
+  }
+  return worlds;
+}
+
+}  // namespace twintrace::parity
