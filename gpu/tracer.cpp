@@ -15,6 +15,16 @@ namespace {
 
 constexpr int kGroupSize = 8;  // local_size of mains/compute.glsl
 
+void refuseCpuOptions(const RenderOptions& options) {
+  if (options.precision == Precision::float64) {
+    throw UsageError("precision double with backend gpu, expected backend cpu: shaders compute in "
+                     "float");
+  }
+  if (options.hull == "embree") {
+    throw UsageError("hull embree with backend gpu, expected backend cpu: Embree runs there only");
+  }
+}
+
 class GpuRenderer : public Renderer {
  public:
   GpuRenderer(std::shared_ptr<const FlatScene> scene, const RenderOptions& options)
@@ -121,6 +131,7 @@ class GpuRenderer : public Renderer {
 
 std::unique_ptr<Renderer> makeGpuRenderer(std::shared_ptr<const FlatScene> scene,
                                           const RenderOptions& options) {
+  refuseCpuOptions(options);
   return std::make_unique<GpuRenderer>(std::move(scene), options);
 }
 
