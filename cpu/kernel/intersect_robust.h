@@ -23,6 +23,8 @@ R intersectSphereRobust(const Ray<R>& ray, const Sphere<R>& sphere) {
   const Vec3<R> toAxis = f + ray.direction * divide(b, a);
   const R r2 = sphere.radius * sphere.radius;
   const R discriminant = r2 - dot3(toAxis, toAxis);
+  // Most rays miss: what follows is the costly half. llvmpipe would run both sides of the branch.
+  if (!anyLane(discriminant >= R(0.0f))) return R(kInfinity);
   const R root = squareRoot(a * greatest(discriminant, R(0.0f)));
   const R q = select(b < R(0.0f), b - root, b + root);
   const R c = dot3(f, f) - r2;
