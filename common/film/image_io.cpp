@@ -248,4 +248,8 @@ void writePng(const std::string& path, const Image& image) {
   writePng(path, toDisplay(image));
 }
 
+std::string imageLibraryVersion() {
+  return OIIO_VERSION_STRING;
+}
+
 }  // namespace twintrace

@@ -54,4 +54,7 @@ DisplayImage toDisplay(const Image& image);
 void writePng(const std::string& path, const DisplayImage& image);
 void writePng(const std::string& path, const Image& image);
 
+/// Version of OpenImageIO that this program was built with.
+std::string imageLibraryVersion();
+
 }  // namespace twintrace

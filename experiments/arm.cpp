@@ -1,0 +1,96 @@
+#include "experiments/arm.h"
+
+#include <array>
+
+#include "common/base/error.h"
+#include "common/scene/option_names.h"
+#include "cpu/tracer.h"
+#include "experiments/build_info.h"
+#include "gpu/tracer.h"
+
+namespace twintrace {
+namespace {
+
+/// Options of which every value may change the samples.
+constexpr std::array kBitOptions = {"integrator", "noise", "maths", "precision", "intersector",
+                                    "bounces",    "seed"};
+
+std::string effectNames(const EffectSet& effects) {
+  std::string names;
+  for (int i = 0; i < kEffectCount; ++i) {
+    if (!effects.has(static_cast<Effect>(i))) continue;
+    if (!names.empty()) names += ",";
+    names += kEffectNames[static_cast<std::size_t>(i)];
+  }
+  return names;
+}
+
+EffectSet both(const EffectSet& a, const EffectSet& b) {
+  EffectSet common;
+  for (int i = 0; i < kEffectCount; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    common.set(effect, a.has(effect) && b.has(effect));
+  }
+  return common;
+}
+
+void addOption(FilmMetadata& metadata, const RenderOptions& options, const char* name) {
+  metadata[name] = findOption(name)->get(options);
+}
+
+/// What the GPU does not have must not be ignored: the result would bear the wrong name.
+void checkGpuOptions(const RenderOptions& options) {
+  if (options.precision == Precision::float64) {
+    throw UsageError("found precision double with backend gpu, expected backend cpu or precision "
+                     "float");
+  }
+  if (options.hull == "embree") {
+    throw UsageError("found hull embree with backend gpu, expected backend cpu or hull auto or none");
+  }
+}
+
+std::unique_ptr<Renderer> openRenderer(std::shared_ptr<const FlatScene> scene,
+                                       const RenderOptions& options) {
+  if (options.backend == BackEnd::cpu) return makeCpuRenderer(std::move(scene), options);
+  checkGpuOptions(options);
+  return makeGpuRenderer(std::move(scene), options);
+}
+
+}  // namespace
+
+std::shared_ptr<const FlatScene> flattenScene(const Scene& scene, const RenderOptions& options) {
+  checkOptions(options);
+  try {
+    return std::make_shared<const FlatScene>(flatten(scene, options));
+  } catch (const IoError& error) {
+    // What a scene names is part of the scene: not a main input that can't be read.
+    throw FileError({Diagnostic{SourceLocation{scene.path}, error.what()}});
+  }
+}
+
+FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const RenderOptions& options) {
+  FilmMetadata metadata = {{"version", buildInfo().version},
+                           {"scene", scene.name},
+                           {"scene_hash", sceneHash(flat)},
+                           {"effects", effectNames(both(flat.effects, neededEffects(scene, options)))}};
+  for (const char* name : kBitOptions) addOption(metadata, options, name);
+  if (options.maths == Maths::native) {
+    addOption(metadata, options, "backend");
+    if (options.backend == BackEnd::gpu) {
+      addOption(metadata, options, "stage");
+      addOption(metadata, options, "geometry");
+    }
+  }
+  return metadata;
+}
+
+Arm openArm(const Scene& scene, const RenderOptions& options) {
+  Arm arm;
+  arm.options = options;
+  arm.scene = flattenScene(scene, options);
+  arm.metadata = filmMetadata(scene, *arm.scene, options);
+  arm.renderer = openRenderer(arm.scene, options);
+  return arm;
+}
+
+}  // namespace twintrace

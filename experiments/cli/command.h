@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <vector>
+
+#include "experiments/cli/console.h"
+
+namespace twintrace {
+
+/// A subcommand of the program: its options, and what it does once they are parsed.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;  ///< returns the exit code
+};
+
+Command addRenderCommand(CLI::App& program, const Console& console);
+Command addCompareCommand(CLI::App& program, const Console& console);
+Command addMergeCommand(CLI::App& program, const Console& console);
+Command addPickCommand(CLI::App& program, const Console& console);
+Command addInfoCommand(CLI::App& program, const Console& console);
+
+}  // namespace twintrace

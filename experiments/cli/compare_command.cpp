@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "common/base/error.h"
+#include "common/base/wording.h"
+#include "common/scene/option_names.h"
+#include "common/scene/reader.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/command_line.h"
+#include "experiments/cli/compare_text.h"
+#include "experiments/cli/interrupt.h"
+#include "experiments/cli/progress_display.h"
+#include "experiments/cli/shared_options.h"
+#include "experiments/compare_files.h"
+#include "experiments/outputs.h"
+
+namespace twintrace {
+namespace {
+
+class CompareCommand {
+ public:
+  explicit CompareCommand(const Console& console) : console_(console) {}
+
+  CLI::App* addTo(CLI::App& program) {
+    CLI::App* app = program.add_subcommand(
+        "compare", "render a scene in two ways, or read two pictures, and compare");
+    app->add_option("inputs", inputs_, "a scene file, or two pictures")
+        ->required()
+        ->type_name("SCENE | A.exr B.exr");
+    app->add_option("--a", listA_, "options of arm a; its backend is cpu unless said")
+        ->type_name("KEY=VAL,...");
+    app->add_option("--b", listB_, "options of arm b; its backend is gpu unless said")
+        ->type_name("KEY=VAL,...");
+    app->add_option("--stderr-a", errorsA_, "standard errors of picture A")->type_name("SA.exr");
+    app->add_option("--stderr-b", errorsB_, "standard errors of picture B")->type_name("SB.exr");
+    app->add_option("--out", directory_, "directory for pictures, maps and compare.json")
+        ->type_name("DIR");
+    app->add_option("--alpha", settings_.alpha, "false alarms of the tests, 0.001 unless said");
+    app->add_option("--bound", settings_.bound,
+                    "relative difference of means that counts as equal, 0.005 unless said");
+    app->add_option("--repeats", settings_.repeats, "timed runs of each arm; the fastest counts");
+    addAnswerOptions(*app, answer_);
+    addRenderOptions(*app, given_);
+    return app;
+  }
+
+  int run() {
+    checkSettings(settings_);
+    if (inputs_.size() > 2) {
+      throw UsageError(fmt::format("found {} inputs, expected a scene or two pictures",
+                                   inputs_.size()));
+    }
+    return inputs_.size() == 1 ? runArms() : runFiles();
+  }
+
+ private:
+  int runArms() {
+    if (!errorsA_.empty() || !errorsB_.empty()) {
+      throw UsageError("found --stderr-a or --stderr-b with a scene, expected two pictures");
+    }
+    const Scene scene = readScene(inputs_.front());
+    ArmOptions options = armOptions(scene.render);
+    std::vector<std::string> notes = fitForTests(options);
+    prepareOutputs();
+    Arm a = openArm(scene, options.a);
+    Arm b = openArm(scene, options.b);
+    bool interrupted = false;
+    ArmsComparison result = render(a, b, interrupted);
+    auto& allNotes = result.comparison.notes;
+    allNotes.insert(allNotes.begin(), notes.begin(), notes.end());
+
+    const ArmNames names = armNames(options);
+    finish(result.comparison, compareJson(scene, a, b, result, settings_),
+           armsText(result, names), names);
+    warnOfBadFrames(console_, "a", result.a.film);
+    warnOfBadFrames(console_, "b", result.b.film);
+    return interrupted ? kInterrupted : exitCode(result.comparison);
+  }
+
+  int runFiles() {
+    if (!given_.empty() || !listA_.empty() || !listB_.empty()) {
+      throw UsageError("found options of rendering with two pictures, expected a scene");
+    }
+    for (const std::string& input : inputs_) {
+      if (input.ends_with(".toml")) {
+        throw UsageError("found the scene " + quote(input) + " and another input, expected one "
+                         "scene or two pictures");
+      }
+    }
+    prepareOutputs();
+    const PictureFiles files{inputs_[0], inputs_[1], errorsA_, errorsB_};
+    const Comparison comparison = compareFiles(files, settings_);
+    finish(comparison, compareJson(files, comparison, settings_), "", {files.a, files.b});
+    return exitCode(comparison);
+  }
+
+  /// An arm has the options of both, then its own; without --backend, a is cpu and b is gpu.
+  ArmOptions armOptions(const RenderOptions& ofScene) const {
+    ArmOptions options;
+    options.a = applyOptions(ofScene, given_);
+    options.b = options.a;
+    if (!given_.has("backend")) {
+      options.a.backend = BackEnd::cpu;
+      options.b.backend = BackEnd::gpu;
+    }
+    setArm("--a", options.a, listA_);
+    setArm("--b", options.b, listB_);
+    checkArms(options);
+    return options;
+  }
+
+  static void setArm(const char* name, RenderOptions& options, const std::string& list) {
+    try {
+      setOptions(options, list);
+      checkOptions(options);
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("{}: {}", name, error.what()));
+    }
+  }
+
+  void prepareOutputs() const {
+    if (!directory_.empty()) prepareDirectory(directory_);
+    checkAnswer(answer_);
+  }
+
+  ArmsComparison render(Arm& a, Arm& b, bool& interrupted) const {
+    const InterruptScope interrupt;
+    ProgressDisplay display(console_.err,
+                            ProgressDisplay::styleForStandardError(answer_.quiet));
+    const JobControl control{[&](const JobProgress& state) { display.show(state); },
+                             [&] { return interrupt.interrupted(); }};
+    ArmsComparison result = compareArms(a, b, settings_, control);
+    interrupted = interrupt.interrupted();
+    return result;
+  }
+
+  void finish(const Comparison& comparison, const Json& json, const std::string& timesText,
+              const ArmNames& names) const {
+    std::string text = verdictText(comparison, settings_) + timesText;
+    if (!directory_.empty()) {
+      writeComparisonPictures(directory_, comparison, sheetHeader(text), names.a, names.b);
+      writeText((std::filesystem::path(directory_) / "compare.json").string(), jsonText(json));
+      text += "pictures in " + directory_ + ": sheet.png shows all\n";
+    }
+    answer(console_, answer_, json, text);
+  }
+
+  static int exitCode(const Comparison& comparison) {
+    return agrees(comparison.verdict) ? kAgree : kDiffer;
+  }
+
+  Console console_;
+  std::vector<std::string> inputs_;
+  std::string listA_;
+  std::string listB_;
+  std::string errorsA_;
+  std::string errorsB_;
+  std::string directory_;
+  ComparisonSettings settings_;
+  AnswerOptions answer_;
+  GivenOptions given_;
+};
+
+}  // namespace
+
+Command addCompareCommand(CLI::App& program, const Console& console) {
+  const auto command = std::make_shared<CompareCommand>(console);
+  return {command->addTo(program), [command] { return command->run(); }};
+}
+
+}  // namespace twintrace

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "common/base/error.h"
+#include "common/scene/reader.h"
+#include "experiments/arm.h"
+#include "experiments/build_info.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/command_line.h"
+#include "experiments/cli/shared_options.h"
+#include "experiments/effect_ledger.h"
+#include "experiments/machine.h"
+
+namespace twintrace {
+namespace {
+
+Json programJson() {
+  Json json = machineJson();
+  const CpuFacts cpu = cpuFacts();
+  json["instruction_sets"] = cpu.instructionSets;
+  json["instruction_set_used"] = cpu.usedInstructionSet;
+  json["lanes"] = cpu.lanes;
+  json["gl"] = Json::array();
+  for (const ProviderFacts& facts : providerFacts()) {
+    Json provider = {{"provider", facts.name}, {"available", facts.available}};
+    if (facts.available) {
+      provider["renderer"] = facts.renderer;
+      provider["version"] = facts.version;
+      provider["source"] = facts.source;
+    } else {
+      provider["reason"] = facts.reason;
+    }
+    json["gl"].push_back(provider);
+  }
+  return json;
+}
+
+Json sceneJson(const Scene& scene, const RenderOptions& options) {
+  const auto flat = flattenScene(scene, options);
+  const SceneIndex& index = flat->index;
+  Json effects = Json::object();
+  for (const EffectEntry& entry : effectLedger(scene, options)) {
+    effects[entry.name] = {{"compiled_in", entry.compiledIn}, {"reason", entry.reason}};
+  }
+  return {{"name", scene.name},
+          {"hash", sceneHash(*flat)},
+          {"width", flat->width},
+          {"height", flat->height},
+          {"objects", scene.objects.size()},
+          {"primitives", index.primitiveCount()},
+          {"spheres", index.sphereCount},
+          {"boxes", index.boxCount},
+          {"oriented_boxes", index.orientedBoxCount},
+          {"planes", index.planeCount},
+          {"materials", index.materialCount},
+          {"lights", index.lightCount},
+          {"environment_width", index.environmentWidth},
+          {"environment_height", index.environmentHeight},
+          {"bytes", flat->texels.size() * sizeof(flat->texels[0])},
+          {"effects", effects}};
+}
+
+std::string programText(const Json& json) {
+  const auto word = [](const Json& value) { return value.get<std::string>(); };
+  std::string sets;
+  for (const Json& set : json["instruction_sets"]) sets += word(set) + " ";
+  std::string text = fmt::format(
+      "twintrace {}\nbuild      {}, {}, {}\ncpu        {}, {} threads\n"
+      "lanes      {} of {}(found: {})\n",
+      word(json["version"]), word(json["build"]["compiler"]), word(json["build"]["type"]),
+      word(json["build"]["flags"]), word(json["cpu"]), json["hardware_threads"].get<unsigned>(),
+      json["lanes"].get<int>(), word(json["instruction_set_used"]) + " ",
+      sets.substr(0, sets.size() - 1));
+  for (const Json& gl : json["gl"]) {
+    const bool available = gl["available"].get<bool>();
+    text += fmt::format("gl {:<7} {}\n", word(gl["provider"]),
+                        available ? word(gl["renderer"]) + ", OpenGL " + word(gl["version"])
+                                  : "none: " + word(gl["reason"]));
+  }
+  for (const auto& [name, version] : json["libraries"].items()) {
+    text += fmt::format("{:<11}{}\n", name, word(version));
+  }
+  return text;
+}
+
+std::string sceneText(const Json& json) {
+  std::string text = "\n";
+  for (const auto& [key, value] : json.items()) {
+    if (key == "effects") continue;
+    text += fmt::format("{:<19}{}\n", key,
+                        value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  for (const auto& [name, entry] : json["effects"].items()) {
+    text += fmt::format("effect {:<17}{:<4} {}\n", name,
+                        entry["compiled_in"].get<bool>() ? "in" : "out",
+                        entry["reason"].get<std::string>());
+  }
+  return text;
+}
+
+class InfoCommand {
+ public:
+  explicit InfoCommand(const Console& console) : console_(console) {}
+
+  CLI::App* addTo(CLI::App& program) {
+    CLI::App* app =
+        program.add_subcommand("info", "describe program, machine and, if given, a scene");
+    app->add_option("scene", scenePath_, "scene file")->type_name("SCENE");
+    addAnswerOptions(*app, answer_);
+    addRenderOptions(*app, given_);
+    return app;
+  }
+
+  int run() const {
+    if (scenePath_.empty() && !given_.empty()) {
+      throw UsageError("found options of rendering without a scene, expected a scene file");
+    }
+    checkAnswer(answer_);
+    Json json;
+    std::string text;
+    if (!scenePath_.empty()) {
+      const Scene scene = readScene(scenePath_);
+      json = sceneJson(scene, applyOptions(scene.render, given_));
+      text = sceneText(json);
+    }
+    Json program = programJson();
+    text = programText(program) + text;
+    if (!json.is_null()) program["scene"] = json;
+    answer(console_, answer_, program, text);
+    return kAgree;
+  }
+
+ private:
+  Console console_;
+  std::string scenePath_;
+  AnswerOptions answer_;
+  GivenOptions given_;
+};
+
+}  // namespace
+
+Command addInfoCommand(CLI::App& program, const Console& console) {
+  const auto command = std::make_shared<InfoCommand>(console);
+  return {command->addTo(program), [command] { return command->run(); }};
+}
+
+}  // namespace twintrace

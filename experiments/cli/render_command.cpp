@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "common/film/film_file.h"
+#include "common/scene/option_names.h"
+#include "common/scene/reader.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/command_line.h"
+#include "experiments/cli/interrupt.h"
+#include "experiments/cli/progress_display.h"
+#include "experiments/cli/shared_options.h"
+#include "experiments/outputs.h"
+#include "experiments/render_job.h"
+
+namespace twintrace {
+namespace {
+
+class RenderCommand {
+ public:
+  explicit RenderCommand(const Console& console) : console_(console) {}
+
+  CLI::App* addTo(CLI::App& program) {
+    CLI::App* app = program.add_subcommand("render", "render a scene with one back end");
+    app->add_option("scene", scenePath_, "scene file")->required()->type_name("SCENE");
+    app->add_option("-o,--output", exr_, "picture with variance and count; default NAME.exr")
+        ->type_name("FILE.exr");
+    app->add_option("--png", png_, "picture for display; default NAME.png if there is no -o")
+        ->type_name("FILE.png");
+    app->add_option("--film", film_, "exact sums, for merge")->type_name("FILE.film");
+    addAnswerOptions(*app, answer_);
+    addRenderOptions(*app, given_);
+    return app;
+  }
+
+  int run() {
+    const Scene scene = readScene(scenePath_);
+    const RenderOptions options = applyOptions(scene.render, given_);
+    checkOptions(options);
+    chooseOutputs(scene.name);
+    checkOutputs();
+    Arm arm = openArm(scene, options);
+    const RenderResult result = render(arm);
+    writeOutputs(result.film);
+    warnOfBadFrames(console_, scene.name, result.film);
+    answer(console_, answer_, renderJson(scene, arm, result, outputs()), summary(arm, result));
+    return result.stoppedBy == StopReason::interrupt ? kInterrupted : kAgree;
+  }
+
+ private:
+  void chooseOutputs(const std::string& name) {
+    if (!exr_.empty()) return;
+    exr_ = name + ".exr";
+    if (png_.empty()) png_ = name + ".png";
+  }
+
+  void checkOutputs() const {
+    checkExtension(exr_, {".exr"});
+    if (!png_.empty()) checkExtension(png_, {".png"});
+    for (const std::string& path : outputs()) checkWritable(path);
+    checkAnswer(answer_);
+  }
+
+  RenderResult render(Arm& arm) const {
+    const InterruptScope interrupt;
+    ProgressDisplay display(console_.err,
+                            ProgressDisplay::styleForStandardError(answer_.quiet));
+    return renderFilm(arm, {[&](const JobProgress& state) { display.show(state); },
+                            [&] { return interrupt.interrupted(); }});
+  }
+
+  void writeOutputs(const Film& film) const {
+    const ExrContent content = exrContent(film);
+    writeExr(exr_, content);
+    if (!png_.empty()) writePng(png_, content.image);
+    if (!film_.empty()) writeFilm(film_, film);
+  }
+
+  std::vector<std::string> outputs() const {
+    std::vector<std::string> paths;
+    for (const std::string& path : {exr_, png_, film_}) {
+      if (!path.empty()) paths.push_back(path);
+    }
+    return paths;
+  }
+
+  std::string summary(const Arm& arm, const RenderResult& result) const {
+    const RenderOptions& options = arm.options;
+    const double samples =
+        double(result.samplesPerPixel()) * double(options.width) * double(options.height);
+    std::string files;
+    for (const std::string& path : outputs()) files += (files.empty() ? "" : ", ") + path;
+    return fmt::format("{}x{} pixels, {} samples per pixel in {:.3f} s, {}samples/s{}\n{}\n",
+                       options.width, options.height, result.samplesPerPixel(), result.seconds,
+                       shortNumber(samples / result.seconds), stopText(result.stoppedBy), files);
+  }
+
+  static std::string stopText(StopReason reason) {
+    if (reason == StopReason::samples) return "";
+    return fmt::format(", stopped by {}", stopReasonName(reason));
+  }
+
+  Console console_;
+  std::string scenePath_;
+  std::string exr_;
+  std::string png_;
+  std::string film_;
+  AnswerOptions answer_;
+  GivenOptions given_;
+};
+
+}  // namespace
+
+Command addRenderCommand(CLI::App& program, const Console& console) {
+  const auto command = std::make_shared<RenderCommand>(console);
+  return {command->addTo(program), [command] { return command->run(); }};
+}
+
+}  // namespace twintrace

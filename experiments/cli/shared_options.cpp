@@ -1,0 +1,64 @@
+#include "experiments/cli/shared_options.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "common/base/error.h"
+#include "common/base/wording.h"
+#include "common/film/exact_sum.h"
+#include "common/scene/option_names.h"
+
+namespace twintrace {
+namespace {
+
+constexpr int kMaxSpp = 1 << 30;  // of option spp
+
+void checkShaderDirectory(const std::string& directory) {
+  std::error_code error;
+  if (directory.empty() || std::filesystem::is_directory(directory, error)) return;
+  throw UsageError("shader-dir: found " + quote(directory) + ", expected a directory");
+}
+
+void liftSampleLimit(RenderOptions& options) {
+  const std::int64_t most = std::int64_t{kMaxFrames} * options.passes;
+  options.spp = static_cast<int>(std::min<std::int64_t>(most, kMaxSpp));
+}
+
+}  // namespace
+
+bool GivenOptions::has(std::string_view name) const {
+  return std::any_of(list.begin(), list.end(),
+                     [name](const auto& option) { return option.first == name; });
+}
+
+void addRenderOptions(CLI::App& command, GivenOptions& given) {
+  for (const Option& option : renderOptionTable()) {
+    const auto store = [&given, name = option.name](const std::string& value) {
+      given.list.emplace_back(name, value);
+    };
+    command.add_option_function<std::string>("--" + option.name, store, option.expected)
+        ->group("Rendering")
+        ->take_last();
+  }
+  command
+      .add_option("--shader-dir", given.shaderDirectory,
+                  "read the shaders from this directory, not from the program")
+      ->group("Rendering");
+}
+
+void addAnswerOptions(CLI::App& command, AnswerOptions& options) {
+  command.add_option("--json", options.json, "write the result as JSON, - for standard output");
+  command.add_flag("--quiet", options.quiet, "neither progress nor summary");
+}
+
+RenderOptions applyOptions(RenderOptions options, const GivenOptions& given) {
+  for (const auto& [name, value] : given.list) setOption(options, name, value);
+  checkShaderDirectory(given.shaderDirectory);
+  options.shaderDirectory = given.shaderDirectory;
+  const bool ruleGiven = (given.has("time") && options.timeLimit > 0) ||
+                         (given.has("target-error") && options.targetError > 0);
+  if (ruleGiven && !given.has("spp")) liftSampleLimit(options);
+  return options;
+}
+
+}  // namespace twintrace

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/trace/options.h"
+#include "experiments/cli/console.h"
+#include "experiments/job_control.h"
+
+namespace twintrace {
+
+/// The options of rendering as given on the command line, to be laid over a scene's.
+struct GivenOptions {
+  std::vector<std::pair<std::string, std::string>> list;  ///< name and value
+  std::string shaderDirectory;
+
+  bool has(std::string_view name) const;
+  bool empty() const { return list.empty() && shaderDirectory.empty(); }
+};
+
+/// Adds `--name` for every option of renderOptionTable() and `--shader-dir`.
+void addRenderOptions(CLI::App& command, GivenOptions& given);
+
+/// Adds `--json` and `--quiet`.
+void addAnswerOptions(CLI::App& command, AnswerOptions& options);
+
+/// Lays the given options over a scene's. A stop rule without --spp lifts the scene's limit on
+/// samples, so that the rule decides.
+/// @throws UsageError as setOption does, and for a shader directory that is none.
+RenderOptions applyOptions(RenderOptions options, const GivenOptions& given);
+
+}  // namespace twintrace

@@ -1,0 +1,84 @@
+#include "experiments/compare_files.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "common/base/error.h"
+
+namespace twintrace {
+namespace {
+
+bool hasMetadata(const ExrContent& content) {
+  return content.metadata.contains("scene_hash");
+}
+
+/// Whether two files of ours hold the same samples of the same scene.
+bool drewSameSamples(const ExrContent& a, const ExrContent& b) {
+  constexpr std::array kKeys = {"scene_hash", "seed", "noise", "samples"};
+  for (const char* key : kKeys) {
+    const auto inA = a.metadata.find(key);
+    const auto inB = b.metadata.find(key);
+    if (inA == a.metadata.end() || inB == b.metadata.end() || inA->second != inB->second) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void requireSameSize(const PictureFiles& files, const Image& a, const Image& b) {
+  if (a.sameSize(b)) return;
+  throw UsageError(fmt::format("found pictures of {}x{} ({}) and {}x{} ({}) pixels, expected equal sizes",
+                               a.width, a.height, files.a, b.width, b.height, files.b));
+}
+
+ImageEstimate estimateOf(const ExrContent& content, const std::string& path,
+                         const std::string& errorPath, const char* option) {
+  if (!errorPath.empty()) return estimateFrom(content.image, readLinearImage(errorPath));
+  if (!content.variance.empty() && !content.count.empty()) return estimateFrom(content, path);
+  throw UsageError(fmt::format(
+      "{}: found no Variance.R, Variance.G, Variance.B and count channels, expected them or a "
+      "picture of standard errors with {}: without errors only equal bits can be judged",
+      path, option));
+}
+
+bool hasErrors(const ExrContent& content, const std::string& errorPath) {
+  return !errorPath.empty() || (!content.variance.empty() && !content.count.empty());
+}
+
+void judgeUnpaired(Comparison& comparison, const ImageEstimate& a, const ImageEstimate& b,
+                   const ComparisonSettings& settings) {
+  comparison.family = familyTest(a, b, settings.alpha);
+  comparison.equivalence =
+      equivalenceTest(channelMeans(a), channelMeans(b), settings.bound, settings.alpha);
+  comparison.verdict = unpairedVerdict(comparison.family, comparison.equivalence);
+}
+
+}  // namespace
+
+Comparison compareFiles(const PictureFiles& files, const ComparisonSettings& settings) {
+  checkSettings(settings);
+  ExrContent contentA = readExr(files.a);
+  ExrContent contentB = readExr(files.b);
+  requireSameSize(files, contentA.image, contentB.image);
+  Comparison result = comparePictures(std::move(contentA), std::move(contentB));
+  result.family.alpha = settings.alpha;
+  result.equivalence.bound = settings.bound;
+
+  const bool errorsKnown =
+      hasErrors(result.a, files.standardErrorA) && hasErrors(result.b, files.standardErrorB);
+  const bool unknownOrigin = !hasMetadata(result.a) || !hasMetadata(result.b);
+  const bool equalBits = result.differingPixels == 0;
+  result.paired =
+      drewSameSamples(result.a, result.b) || (equalBits && (unknownOrigin || !errorsKnown));
+  if (result.paired) result.verdict = pairedVerdict(result.differingPixels);
+  if (result.paired && !errorsKnown) return result;
+
+  const ImageEstimate a = estimateOf(result.a, files.a, files.standardErrorA, "--stderr-a");
+  const ImageEstimate b = estimateOf(result.b, files.b, files.standardErrorB, "--stderr-b");
+  addZMap(result, a, b);
+  if (!result.paired) judgeUnpaired(result, a, b, settings);
+  return result;
+}
+
+}  // namespace twintrace

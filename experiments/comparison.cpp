@@ -1,0 +1,57 @@
+#include "experiments/comparison.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "common/base/error.h"
+#include "common/stats/z_map.h"
+
+namespace twintrace {
+namespace {
+
+void checkFraction(const char* name, double value) {
+  if (value > 0 && value < 1) return;
+  throw UsageError(fmt::format("{}: found {}, expected a number between 0 and 1", name, value));
+}
+
+std::array<float, 3> valueAt(const Image& image, const PixelPosition& pixel) {
+  const std::size_t i = 3 * (static_cast<std::size_t>(pixel.y) *
+                                 static_cast<std::size_t>(image.width) +
+                             static_cast<std::size_t>(pixel.x));
+  return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+}  // namespace
+
+void checkSettings(const ComparisonSettings& settings) {
+  checkFraction("alpha", settings.alpha);
+  checkFraction("bound", settings.bound);
+  if (settings.repeats < 1) {
+    throw UsageError(
+        fmt::format("repeats: found {}, expected an integer from 1", settings.repeats));
+  }
+}
+
+Comparison comparePictures(ExrContent a, ExrContent b) {
+  Comparison result;
+  result.bits = compareBits(a.image, b.image);
+  result.differingPixels = result.bits.differingPixels;
+  result.ulp = ulpMap(a.image, b.image);
+  if (const auto pixel = result.bits.first) {
+    result.first = {*pixel, std::nullopt, valueAt(a.image, *pixel), valueAt(b.image, *pixel)};
+  }
+  result.zRejectedFraction = std::numeric_limits<double>::quiet_NaN();
+  result.equivalence.p = std::numeric_limits<double>::quiet_NaN();
+  result.a = std::move(a);
+  result.b = std::move(b);
+  return result;
+}
+
+void addZMap(Comparison& comparison, const ImageEstimate& a, const ImageEstimate& b) {
+  ZMap map = zMap(a, b, kZMapRate);
+  comparison.z = std::move(map.z);
+  comparison.zRejectedFraction = map.rejectedFraction;
+}
+
+}  // namespace twintrace

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/film/image_io.h"
+#include "common/stats/compare_bits.h"
+#include "common/stats/equivalence.h"
+#include "common/stats/family_test.h"
+#include "common/stats/verdict.h"
+
+namespace twintrace {
+
+struct ComparisonSettings {
+  double alpha = kEquivalenceAlpha;  ///< of the family test and of the equivalence test
+  double bound = kEquivalenceBound;  ///< relative difference of means that counts as equal
+  int repeats = 1;                   ///< timed runs of each arm; the fastest counts
+};
+
+/// @throws UsageError unless 0 < alpha < 1, 0 < bound < 1 and repeats > 0.
+void checkSettings(const ComparisonSettings& settings);
+
+/// Where two pictures part, first in row order.
+struct FirstDifference {
+  PixelPosition pixel;
+  std::optional<std::int64_t> sample;  ///< the first that differs there, if it was found
+  std::array<float, 3> a{};            ///< value of that sample, else of the picture
+  std::array<float, 3> b{};
+};
+
+/// What the comparison of two pictures found, whether rendered or read.
+struct Comparison {
+  Verdict verdict = Verdict::inconclusive;
+  bool paired = false;
+  BitComparison bits;  ///< of the pictures; films decide where there are any
+  std::int64_t differingPixels = 0;
+  std::optional<FirstDifference> first;
+  FamilyTest family;  ///< of unpaired pictures only
+  Equivalence equivalence;
+  /// Of the z map; NaN if no errors are known. For paired pictures, whose noise is not independent,
+  /// z is too small and only a map.
+  double zRejectedFraction = 0;
+  std::vector<std::string> notes;  ///< what a reader of the verdict has to know
+
+  ExrContent a;
+  ExrContent b;
+  Image z;  ///< empty if no errors are known
+  std::vector<float> ulp;
+};
+
+/// Compares two pictures by value and draws the maps; verdict and tests are left to the caller.
+/// @throws UsageError with both sizes if they differ.
+Comparison comparePictures(ExrContent a, ExrContent b);
+
+/// Adds the z map. @throws UsageError if the sizes differ.
+void addZMap(Comparison& comparison, const ImageEstimate& a, const ImageEstimate& b);
+
+/// False discovery rate of the z map's rejected fraction.
+inline constexpr double kZMapRate = 0.01;
+
+}  // namespace twintrace

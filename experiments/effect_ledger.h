@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/scene/scene.h"
+
+namespace twintrace {
+
+/// Whether one effect is compiled in, and why in brief.
+struct EffectEntry {
+  std::string name;
+  bool compiledIn = false;
+  std::string reason;
+};
+
+/// All effects of a scene under options, in the order of kEffectNames.
+std::vector<EffectEntry> effectLedger(const Scene& scene, const RenderOptions& options);
+
+}  // namespace twintrace

@@ -1,0 +1,93 @@
+#include "experiments/outputs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "common/base/error.h"
+#include "common/base/wording.h"
+#include "common/film/atomic_file.h"
+#include "common/film/sheet.h"
+
+namespace twintrace {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void failToWrite(const std::string& path, const std::string& reason) {
+  throw IoError(path + ": cannot be written: " + reason);
+}
+
+std::vector<float> channelOf(const Image& image, std::size_t channel) {
+  std::vector<float> values(image.pixelCount());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = image.rgb[3 * i + channel];
+  return values;
+}
+
+ExrContent differenceContent(const Comparison& comparison) {
+  ExrContent content;
+  content.image = comparison.a.image;
+  const std::vector<float>& b = comparison.b.image.rgb;
+  for (std::size_t i = 0; i < b.size(); ++i) content.image.rgb[i] -= b[i];
+  content.extra.push_back({"ulp", comparison.ulp});
+  if (!comparison.z.empty()) {
+    content.extra.push_back({"z.R", channelOf(comparison.z, 0)});
+    content.extra.push_back({"z.G", channelOf(comparison.z, 1)});
+    content.extra.push_back({"z.B", channelOf(comparison.z, 2)});
+  }
+  return content;
+}
+
+}  // namespace
+
+void checkWritable(const std::string& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) failToWrite(path, "it is a directory");
+  const fs::path directory = fs::path(path).parent_path();
+  if (!directory.empty() && !fs::is_directory(directory, error)) {
+    failToWrite(path, "there is no directory " + quote(directory.string()));
+  }
+  const AtomicFile trial(path);
+  std::ofstream stream(trial.partialPath());
+  stream << '\n';
+  stream.close();
+  if (!stream) failToWrite(path, "no file can be made in its directory");
+}
+
+void prepareDirectory(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) failToWrite(path, error.message());
+  checkWritable((fs::path(path) / "compare.json").string());
+}
+
+void checkExtension(const std::string& path, const std::vector<std::string>& extensions) {
+  const std::string extension = fs::path(path).extension().string();
+  if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return;
+  throw UsageError("found the output " + quote(path) + ", expected a name that ends in " +
+                   oneOf(extensions));
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  std::ofstream stream(file.partialPath(), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) failToWrite(path, "the disk may be full");
+  file.commit();
+}
+
+void writeComparisonPictures(const std::string& directory, const Comparison& comparison,
+                             const std::vector<std::string>& header, const std::string& nameA,
+                             const std::string& nameB) {
+  const fs::path root(directory);
+  writeExr((root / "a.exr").string(), comparison.a);
+  writeExr((root / "b.exr").string(), comparison.b);
+  writeExr((root / "diff.exr").string(), differenceContent(comparison));
+  writePng((root / "a.png").string(), comparison.a.image);
+  writePng((root / "b.png").string(), comparison.b.image);
+  writeSheet((root / "sheet.png").string(), {header, nameA, nameB, comparison.a.image,
+                                             comparison.b.image, comparison.ulp, comparison.z});
+}
+
+}  // namespace twintrace

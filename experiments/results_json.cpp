@@ -1,0 +1,184 @@
+#include "experiments/results_json.h"
+
+#include "common/scene/option_names.h"
+#include "experiments/build_info.h"
+#include "experiments/machine.h"
+
+namespace twintrace {
+namespace {
+
+Json buildJson() {
+  const BuildInfo build = buildInfo();
+  return {{"compiler", build.compiler}, {"type", build.buildType}, {"flags", build.flags}};
+}
+
+template <class Pairs>
+Json objectOf(const Pairs& pairs) {
+  Json object = Json::object();
+  for (const auto& [name, value] : pairs) object[name] = value;
+  return object;
+}
+
+Json effectsJson(const EffectSet& effects) {
+  Json names = Json::array();
+  for (int i = 0; i < kEffectCount; ++i) {
+    if (effects.has(static_cast<Effect>(i))) names.push_back(kEffectNames[static_cast<std::size_t>(i)]);
+  }
+  return names;
+}
+
+Json firstDifferenceJson(const std::optional<FirstDifference>& first) {
+  if (!first) return nullptr;
+  return {{"x", first->pixel.x},
+          {"y", first->pixel.y},
+          {"sample", first->sample ? Json(*first->sample) : Json(nullptr)},
+          {"a", first->a},
+          {"b", first->b}};
+}
+
+Json equivalenceJson(const Equivalence& equivalence) {
+  return {{"bound", equivalence.bound}, {"p", equivalence.p}};
+}
+
+Json familyJson(const FamilyTest& family) {
+  return {{"size", family.familySize},
+          {"untested", family.untested},
+          {"rejected", family.rejected},
+          {"smallest_p", family.smallestP},
+          {"permutation_p", family.permutationP},
+          {"worst_block", {family.worstBlock.x, family.worstBlock.y}},
+          {"worst_channel", family.worstChannel}};
+}
+
+/// Keys of design section 9 up to the times; `classes` is filled by `explain`.
+Json comparisonJson(const Comparison& comparison) {
+  const BitComparison& bits = comparison.bits;
+  return {{"verdict", verdictName(comparison.verdict)},
+          {"paired", comparison.paired},
+          {"pixels", bits.pixels},
+          {"differing_pixels", comparison.differingPixels},
+          {"max_ulp", bits.maxUlp},
+          {"ulp_histogram", bits.ulpHistogram},
+          {"rmse", bits.rmse},
+          {"relmse", bits.relmse},
+          {"non_finite_values", bits.nonFiniteValues},
+          {"mean_a", bits.meanA},
+          {"mean_b", bits.meanB},
+          {"z_rejected_fraction", comparison.zRejectedFraction},
+          {"family_alpha", comparison.family.alpha},
+          {"family", comparison.paired ? Json(nullptr) : familyJson(comparison.family)},
+          {"equivalence", equivalenceJson(comparison.equivalence)}};
+}
+
+void addEnding(Json& json, const Comparison& comparison) {
+  json["first_difference"] = firstDifferenceJson(comparison.first);
+  json["classes"] = Json::object();
+  json["notes"] = comparison.notes;
+}
+
+Json outcomeJson(const ArmOutcome& outcome) {
+  return {{"samples", outcome.film.data().ranges.toString()},
+          {"passes", outcome.film.passes()},
+          {"stopped_by", stopReasonName(outcome.stoppedBy)},
+          {"seconds", outcome.seconds},
+          {"bad_frames", badFramesJson(outcome.film)}};
+}
+
+Json settingsJson(const ComparisonSettings& settings) {
+  return {{"alpha", settings.alpha}, {"bound", settings.bound}, {"repeats", settings.repeats}};
+}
+
+}  // namespace
+
+Json machineJson() {
+  const CpuFacts cpu = cpuFacts();
+  return {{"version", buildInfo().version},
+          {"build", buildJson()},
+          {"cpu", cpu.model},
+          {"hardware_threads", cpu.threads},
+          {"libraries", objectOf(libraryVersions())}};
+}
+
+Json armJson(const Arm& arm) {
+  return {{"options", objectOf(listOptions(arm.options))},
+          {"shader_directory", arm.options.shaderDirectory},
+          {"ran", objectOf(arm.renderer->provenance())},
+          {"scene_hash", sceneHash(*arm.scene)},
+          {"effects", effectsJson(arm.scene->effects)}};
+}
+
+Json badFramesJson(const Film& film) {
+  Json places = Json::array();
+  for (const BadFrame& bad : film.data().badPlaces) {
+    places.push_back({{"x", bad.x},
+                      {"y", bad.y},
+                      {"first_sample", bad.firstSample},
+                      {"values", bad.values}});
+  }
+  return {{"count", film.badFrameCount()}, {"places", places}};
+}
+
+Json renderJson(const Scene& scene, const Arm& arm, const RenderResult& result,
+                const std::vector<std::string>& outputs) {
+  const Film& film = result.film;
+  const Image mean = film.mean();
+  const double samples = double(result.samplesPerPixel()) * double(mean.pixelCount());
+  Json provenance = machineJson();
+  provenance["scene"] = scene.path;
+  provenance["arm"] = armJson(arm);
+  return {{"scene", scene.name},
+          {"width", film.width()},
+          {"height", film.height()},
+          {"samples_per_pixel", result.samplesPerPixel()},
+          {"samples", film.data().ranges.toString()},
+          {"frames", film.frameCount()},
+          {"passes", film.passes()},
+          {"stopped_by", stopReasonName(result.stoppedBy)},
+          {"seconds", result.seconds},
+          {"samples_per_second", samples / result.seconds},
+          {"mean", compareBits(mean, mean).meanA},
+          {"relative_standard_error", relativeStandardError(film)},
+          {"bad_frames", badFramesJson(film)},
+          {"outputs", outputs},
+          {"provenance", provenance}};
+}
+
+Json compareJson(const Scene& scene, const Arm& a, const Arm& b, const ArmsComparison& result,
+                 const ComparisonSettings& settings) {
+  Json json = comparisonJson(result.comparison);
+  json["seconds_a"] = result.a.bestSeconds();
+  json["seconds_b"] = result.b.bestSeconds();
+  addEnding(json, result.comparison);
+  json["arms"] = {{"a", outcomeJson(result.a)}, {"b", outcomeJson(result.b)}};
+  Json provenance = machineJson();
+  provenance["scene"] = scene.path;
+  provenance["settings"] = settingsJson(settings);
+  provenance["a"] = armJson(a);
+  provenance["b"] = armJson(b);
+  json["provenance"] = provenance;
+  return json;
+}
+
+Json compareJson(const PictureFiles& files, const Comparison& comparison,
+                 const ComparisonSettings& settings) {
+  Json json = comparisonJson(comparison);
+  json["seconds_a"] = nullptr;
+  json["seconds_b"] = nullptr;
+  addEnding(json, comparison);
+  Json provenance = machineJson();
+  provenance["settings"] = settingsJson(settings);
+  provenance["a"] = {{"file", files.a},
+                     {"standard_error", files.standardErrorA},
+                     {"metadata", comparison.a.metadata}};
+  provenance["b"] = {{"file", files.b},
+                     {"standard_error", files.standardErrorB},
+                     {"metadata", comparison.b.metadata}};
+  json["provenance"] = provenance;
+  return json;
+}
+
+std::string jsonText(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace twintrace
