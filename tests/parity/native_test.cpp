@@ -48,7 +48,7 @@ void checkNative(Context& context, const std::string& signature) {
 
 }  // namespace
 
-TEST_CASE("native maths is finite where strict maths is", "[parity][gl]") {
+TEST_CASE("native maths is finite where strict maths is", "[parity][gl][native]") {
   const auto context = createContext(Provider::osmesa, 0);
   for (const char* signature :
        {"sinCosTurns(float)", "arcCosine(float)", "reflect3(vec3, vec3)", "normalize3(vec3)",

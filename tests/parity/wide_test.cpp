@@ -58,11 +58,11 @@ void checkTable(const WideTable& table, int expectedLanes) {
 
 }  // namespace
 
-TEST_CASE("every lane of SSE2 has the bits of the scalar twins", "[parity]") {
+TEST_CASE("every lane of SSE2 has the bits of the scalar twins", "[parity][wide]") {
   checkTable(wideTable_sse2(), 4);
 }
 
-TEST_CASE("every lane of AVX2 has the bits of the scalar twins", "[parity]") {
+TEST_CASE("every lane of AVX2 has the bits of the scalar twins", "[parity][wide]") {
   if (!__builtin_cpu_supports("avx2")) {
     WARN("left out: this processor has no AVX2");
     return;
@@ -70,7 +70,7 @@ TEST_CASE("every lane of AVX2 has the bits of the scalar twins", "[parity]") {
   checkTable(wideTable_avx2(), 8);
 }
 
-TEST_CASE("every lane of AVX-512 has the bits of the scalar twins", "[parity]") {
+TEST_CASE("every lane of AVX-512 has the bits of the scalar twins", "[parity][wide]") {
   if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512dq")) {
     WARN("left out: this processor has no AVX-512");
     return;
