@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>  // toml++ 3.3 uses its types without including it
+
 // toml++ without the places where version 3.3 leaves defined behaviour on malformed text. Include
 // this instead of <toml++/toml.h>.
 //
