@@ -2,12 +2,12 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include "cpu/embree_hull.h"
 #include "common/base/flush_denormals.h"
 #include "cpu/kernel/surface.h"
 #include "cpu/kernel/traverse.h"
+#include "cpu/thread_arena.h"
 
 namespace twintrace {
 namespace {
@@ -56,7 +56,7 @@ class KernelCaster : public RayCaster {
       : scene_(std::move(scene)),
         hull_(options.hull == "embree" ? makeEmbreeHull(*scene_, options) : nullptr),
         view_(kernel::viewScene(*scene_, options, hull_.get())),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+        arena_(options.threads) {}
 
   std::vector<CastHit> cast(std::span<const CastRay> rays) override {
     std::vector<CastHit> hits(rays.size());
@@ -78,7 +78,7 @@ class KernelCaster : public RayCaster {
   std::shared_ptr<const FlatScene> scene_;
   std::unique_ptr<HullQuery> hull_;
   kernel::SceneView view_;
-  tbb::task_arena arena_;
+  ThreadArena arena_;
 };
 
 }  // namespace

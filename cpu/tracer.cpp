@@ -2,13 +2,13 @@
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <chrono>
 
 #include "common/base/error.h"
 #include "cpu/embree_hull.h"
 #include "cpu/kernel_entry.h"
+#include "cpu/thread_arena.h"
 
 namespace twintrace {
 
@@ -77,7 +77,7 @@ class CpuRenderer : public Renderer {
         settings_(settings),
         lanes_(chosenLanes(options)),
         kernel_(chooseKernel(options, lanes_, settings.instructionSet)),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {
+        arena_(options.threads) {
     if (options.hull == "embree") hull_ = makeEmbreeHull(*scene_, options);
   }
 
@@ -112,7 +112,7 @@ class CpuRenderer : public Renderer {
   CpuTracerSettings settings_;
   Lanes lanes_;
   TileKernel kernel_;
-  tbb::task_arena arena_;
+  ThreadArena arena_;
   std::unique_ptr<HullQuery> hull_;
 };
 
