@@ -7,6 +7,7 @@
 #include "gpu/context.h"
 #include "gpu/program_cache.h"
 #include "gpu/provider.h"
+#include "gpu/scene_uniforms.h"
 #include "gpu/specialisation.h"
 #include "gpu/timer_query.h"
 
@@ -43,7 +44,7 @@ class GpuRenderer : public Renderer {
     } else {
       storage_.emplace(*context_, pixelCount() * 3 * sizeof(float));
     }
-    setSceneUniforms();
+    setFixedUniforms();
   }
 
   double renderFrame(std::uint32_t firstSample, int passes, std::span<float> sums) override {
@@ -81,24 +82,12 @@ class GpuRenderer : public Renderer {
     return static_cast<std::size_t>(scene_->width) * static_cast<std::size_t>(scene_->height);
   }
 
-  void setSceneUniforms() {
-    const FlatCamera& camera = scene_->camera;
-    program_->set("sceneTexels", 0);
-    program_->set("cameraOrigin", camera.origin);
-    program_->set("cameraCorner", camera.corner);
-    program_->set("cameraStepX", camera.stepX);
-    program_->set("cameraStepY", camera.stepY);
-    program_->set("cameraLensX", camera.lensX);
-    program_->set("cameraLensY", camera.lensY);
-    program_->set("environmentRadiance", scene_->environmentRadiance);
-    program_->set("environmentTurn", scene_->environmentTurn);
+  void setFixedUniforms() {
+    setSceneUniforms(*program_, *scene_, options_);
     program_->set("filmWidth", scene_->width);
     program_->set("filmHeight", scene_->height);
     program_->set("bounceLimit", options_.bounces);
     program_->set("seedValue", options_.seed);
-    if (usesUniformIndex(*scene_, options_)) {
-      for (const auto& [name, value] : indexConstants(scene_->index)) program_->set(name, value);
-    }
   }
 
   void readSums(std::span<float> sums) {
