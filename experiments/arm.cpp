@@ -12,8 +12,8 @@ namespace twintrace {
 namespace {
 
 /// Options of which every value may change the samples.
-constexpr std::array kBitOptions = {"integrator", "noise", "maths", "precision", "intersector",
-                                    "bounces",    "seed"};
+constexpr std::array kBitOptions = {"integrator",  "noise",   "maths", "precision",
+                                    "intersector", "bounces", "seed"};
 
 std::string effectNames(const EffectSet& effects) {
   std::string names;
@@ -41,11 +41,13 @@ void addOption(FilmMetadata& metadata, const RenderOptions& options, const char*
 /// What the GPU does not have must not be ignored: the result would bear the wrong name.
 void checkGpuOptions(const RenderOptions& options) {
   if (options.precision == Precision::float64) {
-    throw UsageError("found precision double with backend gpu, expected backend cpu or precision "
-                     "float");
+    throw UsageError(
+        "found precision double with backend gpu, expected backend cpu or precision "
+        "float");
   }
   if (options.hull == "embree") {
-    throw UsageError("found hull embree with backend gpu, expected backend cpu or hull auto or none");
+    throw UsageError(
+        "found hull embree with backend gpu, expected backend cpu or hull auto or none");
   }
 }
 
@@ -69,10 +71,11 @@ std::shared_ptr<const FlatScene> flattenScene(const Scene& scene, const RenderOp
 }
 
 FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const RenderOptions& options) {
-  FilmMetadata metadata = {{"version", buildInfo().version},
-                           {"scene", scene.name},
-                           {"scene_hash", sceneHash(flat)},
-                           {"effects", effectNames(both(flat.effects, neededEffects(scene, options)))}};
+  FilmMetadata metadata = {
+      {"version", buildInfo().version},
+      {"scene", scene.name},
+      {"scene_hash", sceneHash(flat)},
+      {"effects", effectNames(both(flat.effects, neededEffects(scene, options)))}};
   for (const char* name : kBitOptions) addOption(metadata, options, name);
   if (options.maths == Maths::native) {
     addOption(metadata, options, "backend");

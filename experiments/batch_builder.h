@@ -8,8 +8,8 @@
 namespace twintrace {
 
 /// Cuts the frames of a run into batches of equal length for the unpaired tests, however many
-/// frames there will be: when twice the fewest batches are there, neighbours are joined. Keeps block
-/// means only, so memory does not grow with the number of frames.
+/// frames there will be: when twice the fewest batches are there, neighbours are joined. Keeps
+/// block means only, so memory does not grow with the number of frames.
 class BatchBuilder {
  public:
   BatchBuilder(int width, int height) : means_(width, height), sum_(width, height) {}

@@ -21,17 +21,19 @@ std::int64_t samplesOf(const RenderOptions& options) {
 void fitArm(RenderOptions& options, const char* name, std::vector<std::string>& notes) {
   if (plannedFrames(options) >= kFewestFrames) return;
   if (options.spp < kFewestFrames) {
-    notes.push_back(fmt::format("{}: {} samples per pixel instead of {}, since unpaired arms need "
-                                "{} batches",
-                                name, kFewestFrames, options.spp, kFewestFrames));
+    notes.push_back(
+        fmt::format("{}: {} samples per pixel instead of {}, since unpaired arms need "
+                    "{} batches",
+                    name, kFewestFrames, options.spp, kFewestFrames));
     options.spp = kFewestFrames;
   }
   int passes = options.spp / kFewestFrames;
   while (options.firstSample % passes != 0) --passes;
   if (passes < options.passes) {
-    notes.push_back(fmt::format("{}: {} samples per frame instead of {}, since unpaired arms need "
-                                "{} batches",
-                                name, passes, options.passes, kFewestFrames));
+    notes.push_back(
+        fmt::format("{}: {} samples per frame instead of {}, since unpaired arms need "
+                    "{} batches",
+                    name, passes, options.passes, kFewestFrames));
     options.passes = passes;
   }
 }
@@ -107,9 +109,8 @@ class Comparer {
       report(runA.run(), runB.run());
       stop = interruption();
     }
-    ArmsComparison result =
-        gather(runA.run(), runA.stop().value_or(StopReason::interrupt), runB.run(),
-               runB.stop().value_or(StopReason::interrupt));
+    ArmsComparison result = gather(runA.run(), runA.stop().value_or(StopReason::interrupt),
+                                   runB.run(), runB.stop().value_or(StopReason::interrupt));
     judgeUnpaired(result.comparison, runA.batches().means(), runB.batches().means());
     return result;
   }
@@ -164,10 +165,13 @@ class Comparer {
   }
 
   void judgeUnpaired(Comparison& comparison, const BatchMeans& a, const BatchMeans& b) const {
+    if (a_.options.seed == b_.options.seed && a_.options.noise == b_.options.noise) {
+      comparison.notes.push_back(kSharedSeedNote);
+    }
     if (a.batchCount() < kMinBatchCount || b.batchCount() < kMinBatchCount) {
-      comparison.notes.push_back(fmt::format(
-          "interrupted after {} and {} batches; the tests need {}: inconclusive", a.batchCount(),
-          b.batchCount(), kMinBatchCount));
+      comparison.notes.push_back(
+          fmt::format("interrupted after {} and {} batches; the tests need {}: inconclusive",
+                      a.batchCount(), b.batchCount(), kMinBatchCount));
       return;
     }
     comparison.family = familyTest(a, b, settings_.alpha);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "common/base/error.h"
 
 namespace twintrace {
@@ -13,23 +11,27 @@ bool hasMetadata(const ExrContent& content) {
   return content.metadata.contains("scene_hash");
 }
 
-/// Whether two files of ours hold the same samples of the same scene.
+/// Whether both files have an entry and it is the same.
+bool shareEntry(const ExrContent& a, const ExrContent& b, const char* key) {
+  const auto inA = a.metadata.find(key);
+  const auto inB = b.metadata.find(key);
+  return inA != a.metadata.end() && inB != b.metadata.end() && inA->second == inB->second;
+}
+
+/// Whether two files of ours drew from the same random numbers for the same scene.
+bool shareSeed(const ExrContent& a, const ExrContent& b) {
+  return shareEntry(a, b, "scene_hash") && shareEntry(a, b, "seed") && shareEntry(a, b, "noise");
+}
+
 bool drewSameSamples(const ExrContent& a, const ExrContent& b) {
-  constexpr std::array kKeys = {"scene_hash", "seed", "noise", "samples"};
-  for (const char* key : kKeys) {
-    const auto inA = a.metadata.find(key);
-    const auto inB = b.metadata.find(key);
-    if (inA == a.metadata.end() || inB == b.metadata.end() || inA->second != inB->second) {
-      return false;
-    }
-  }
-  return true;
+  return shareSeed(a, b) && shareEntry(a, b, "samples");
 }
 
 void requireSameSize(const PictureFiles& files, const Image& a, const Image& b) {
   if (a.sameSize(b)) return;
-  throw UsageError(fmt::format("found pictures of {}x{} ({}) and {}x{} ({}) pixels, expected equal sizes",
-                               a.width, a.height, files.a, b.width, b.height, files.b));
+  throw UsageError(
+      fmt::format("found pictures of {}x{} ({}) and {}x{} ({}) pixels, expected equal sizes",
+                  a.width, a.height, files.a, b.width, b.height, files.b));
 }
 
 ImageEstimate estimateOf(const ExrContent& content, const std::string& path,
@@ -77,7 +79,9 @@ Comparison compareFiles(const PictureFiles& files, const ComparisonSettings& set
   const ImageEstimate a = estimateOf(result.a, files.a, files.standardErrorA, "--stderr-a");
   const ImageEstimate b = estimateOf(result.b, files.b, files.standardErrorB, "--stderr-b");
   addZMap(result, a, b);
-  if (!result.paired) judgeUnpaired(result, a, b, settings);
+  if (result.paired) return result;
+  judgeUnpaired(result, a, b, settings);
+  if (shareSeed(result.a, result.b)) result.notes.emplace_back(kSharedSeedNote);
   return result;
 }
 

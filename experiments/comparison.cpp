@@ -16,9 +16,9 @@ void checkFraction(const char* name, double value) {
 }
 
 std::array<float, 3> valueAt(const Image& image, const PixelPosition& pixel) {
-  const std::size_t i = 3 * (static_cast<std::size_t>(pixel.y) *
-                                 static_cast<std::size_t>(image.width) +
-                             static_cast<std::size_t>(pixel.x));
+  const std::size_t i =
+      3 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
+           static_cast<std::size_t>(pixel.x));
   return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
 

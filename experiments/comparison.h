@@ -58,6 +58,12 @@ Comparison comparePictures(ExrContent a, ExrContent b);
 /// Adds the z map. @throws UsageError if the sizes differ.
 void addZMap(Comparison& comparison, const ImageEstimate& a, const ImageEstimate& b);
 
+/// For unpaired pictures of the same seed and noise: samples in common correlate them, so that
+/// their difference varies less than the tests assume.
+inline constexpr const char* kSharedSeedNote =
+    "the pictures share their seed but not all samples; the tests take them as independent and are "
+    "less sensitive where samples are in common";
+
 /// False discovery rate of the z map's rejected fraction.
 inline constexpr double kZMapRate = 0.01;
 

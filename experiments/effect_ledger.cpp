@@ -42,8 +42,8 @@ std::vector<EffectEntry> effectLedger(const Scene& scene, const RenderOptions& o
   for (int i = 0; i < kEffectCount; ++i) {
     const auto effect = static_cast<Effect>(i);
     const std::string name(kEffectNames[static_cast<std::size_t>(i)]);
-    ledger.push_back({name, chosen.has(effect),
-                      reasonFor(scene, options, effect, name, content.has(effect))});
+    ledger.push_back(
+        {name, chosen.has(effect), reasonFor(scene, options, effect, name, content.has(effect))});
   }
   return ledger;
 }

@@ -31,10 +31,10 @@ class FrameDifferences {
   std::vector<std::uint32_t> firstFrame_;
 };
 
-/// Finds the first sample that differs at a pixel within the first frame whose sums differ there, by
-/// rendering its samples one by one; at most kMaxPasses of them. Earlier differences that rounding
-/// of a frame's sum swallowed changed no film and are not looked for. Without a frame, or if the
-/// user interrupts, the sample stays unknown.
+/// Finds the first sample that differs at a pixel within the first frame whose sums differ there,
+/// by rendering its samples one by one; at most kMaxPasses of them. Earlier differences that
+/// rounding of a frame's sum swallowed changed no film and are not looked for. Without a frame, or
+/// if the user interrupts, the sample stays unknown.
 FirstDifference locateDifference(const PixelPosition& pixel, const Image& a, const Image& b,
                                  Arm& armA, Arm& armB, std::optional<std::uint32_t> frame,
                                  const JobControl& control);

@@ -7,9 +7,9 @@ namespace twintrace {
 
 /// How far a job is, told after every frame.
 struct JobProgress {
-  double fraction = 0;               ///< done, 0 to 1
-  std::int64_t samples = 0;          ///< rendered so far, over all pixels and arms
-  double seconds = 0;                ///< spent on sampling so far, over all arms
+  double fraction = 0;       ///< done, 0 to 1
+  std::int64_t samples = 0;  ///< rendered so far, over all pixels and arms
+  double seconds = 0;        ///< spent on sampling so far, over all arms
 };
 
 /// What ties a running job to its user; both functions may be empty.

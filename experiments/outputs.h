@@ -8,7 +8,8 @@
 namespace twintrace {
 
 /// Finds out before the work whether a file can be written afterwards; leaves nothing behind.
-/// @throws IoError if its directory is missing or can't be written, or if the name is a directory's.
+/// @throws IoError if its directory is missing or can't be written, or if the name is a
+/// directory's.
 void checkWritable(const std::string& path);
 
 /// Makes a directory with its parents and checks that it can be written. @throws IoError if not.

@@ -22,7 +22,8 @@ Json objectOf(const Pairs& pairs) {
 Json effectsJson(const EffectSet& effects) {
   Json names = Json::array();
   for (int i = 0; i < kEffectCount; ++i) {
-    if (effects.has(static_cast<Effect>(i))) names.push_back(kEffectNames[static_cast<std::size_t>(i)]);
+    if (effects.has(static_cast<Effect>(i)))
+      names.push_back(kEffectNames[static_cast<std::size_t>(i)]);
   }
   return names;
 }
@@ -110,10 +111,8 @@ Json armJson(const Arm& arm) {
 Json badFramesJson(const Film& film) {
   Json places = Json::array();
   for (const BadFrame& bad : film.data().badPlaces) {
-    places.push_back({{"x", bad.x},
-                      {"y", bad.y},
-                      {"first_sample", bad.firstSample},
-                      {"values", bad.values}});
+    places.push_back(
+        {{"x", bad.x}, {"y", bad.y}, {"first_sample", bad.firstSample}, {"values", bad.values}});
   }
   return {{"count", film.badFrameCount()}, {"places", places}};
 }

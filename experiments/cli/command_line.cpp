@@ -27,9 +27,10 @@ class Program {
  public:
   explicit Program(const Console& console)
       : console_(console),
-        app_("One scene, two tracers, one verdict: renders a scene on CPU and GPU and compares "
-             "the results to the bit.",
-             "twintrace") {
+        app_(
+            "One scene, two tracers, one verdict: renders a scene on CPU and GPU and compares "
+            "the results to the bit.",
+            "twintrace") {
     app_.set_version_flag("--version", "twintrace " + buildInfo().version);
     app_.require_subcommand(1);
     commands_ = {addRenderCommand(app_, console_), addCompareCommand(app_, console_),

@@ -49,8 +49,8 @@ class CompareCommand {
   int run() {
     checkSettings(settings_);
     if (inputs_.size() > 2) {
-      throw UsageError(fmt::format("found {} inputs, expected a scene or two pictures",
-                                   inputs_.size()));
+      throw UsageError(
+          fmt::format("found {} inputs, expected a scene or two pictures", inputs_.size()));
     }
     return inputs_.size() == 1 ? runArms() : runFiles();
   }
@@ -72,8 +72,8 @@ class CompareCommand {
     allNotes.insert(allNotes.begin(), notes.begin(), notes.end());
 
     const ArmNames names = armNames(options);
-    finish(result.comparison, compareJson(scene, a, b, result, settings_),
-           armsText(result, names), names);
+    finish(result.comparison, compareJson(scene, a, b, result, settings_), armsText(result, names),
+           names);
     warnOfBadFrames(console_, "a", result.a.film);
     warnOfBadFrames(console_, "b", result.b.film);
     return interrupted ? kInterrupted : exitCode(result.comparison);
@@ -85,7 +85,8 @@ class CompareCommand {
     }
     for (const std::string& input : inputs_) {
       if (input.ends_with(".toml")) {
-        throw UsageError("found the scene " + quote(input) + " and another input, expected one "
+        throw UsageError("found the scene " + quote(input) +
+                         " and another input, expected one "
                          "scene or two pictures");
       }
     }
@@ -127,8 +128,7 @@ class CompareCommand {
 
   ArmsComparison render(Arm& a, Arm& b, bool& interrupted) const {
     const InterruptScope interrupt;
-    ProgressDisplay display(console_.err,
-                            ProgressDisplay::styleForStandardError(answer_.quiet));
+    ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
     const JobControl control{[&](const JobProgress& state) { display.show(state); },
                              [&] { return interrupt.interrupted(); }};
     ArmsComparison result = compareArms(a, b, settings_, control);

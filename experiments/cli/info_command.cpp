@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "common/base/error.h"
@@ -61,25 +62,31 @@ Json sceneJson(const Scene& scene, const RenderOptions& options) {
           {"effects", effects}};
 }
 
+/// A driver's message may have several lines.
+std::string onOneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 std::string programText(const Json& json) {
   const auto word = [](const Json& value) { return value.get<std::string>(); };
   std::string sets;
   for (const Json& set : json["instruction_sets"]) sets += word(set) + " ";
   std::string text = fmt::format(
-      "twintrace {}\nbuild      {}, {}, {}\ncpu        {}, {} threads\n"
-      "lanes      {} of {}(found: {})\n",
+      "twintrace {}\nbuild       {}, {}, {}\ncpu         {}, {} threads\n"
+      "lanes       {} of {} (found: {})\n",
       word(json["version"]), word(json["build"]["compiler"]), word(json["build"]["type"]),
       word(json["build"]["flags"]), word(json["cpu"]), json["hardware_threads"].get<unsigned>(),
-      json["lanes"].get<int>(), word(json["instruction_set_used"]) + " ",
+      json["lanes"].get<int>(), word(json["instruction_set_used"]),
       sets.substr(0, sets.size() - 1));
   for (const Json& gl : json["gl"]) {
     const bool available = gl["available"].get<bool>();
-    text += fmt::format("gl {:<7} {}\n", word(gl["provider"]),
+    text += fmt::format("gl {:<8} {}\n", word(gl["provider"]),
                         available ? word(gl["renderer"]) + ", OpenGL " + word(gl["version"])
-                                  : "none: " + word(gl["reason"]));
+                                  : "none: " + onOneLine(word(gl["reason"])));
   }
   for (const auto& [name, version] : json["libraries"].items()) {
-    text += fmt::format("{:<11}{}\n", name, word(version));
+    text += fmt::format("{:<12}{}\n", name, word(version));
   }
   return text;
 }
@@ -88,8 +95,8 @@ std::string sceneText(const Json& json) {
   std::string text = "\n";
   for (const auto& [key, value] : json.items()) {
     if (key == "effects") continue;
-    text += fmt::format("{:<19}{}\n", key,
-                        value.is_string() ? value.get<std::string>() : value.dump());
+    text +=
+        fmt::format("{:<19}{}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   for (const auto& [name, entry] : json["effects"].items()) {
     text += fmt::format("effect {:<17}{:<4} {}\n", name,

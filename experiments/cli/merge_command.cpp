@@ -39,8 +39,8 @@ class MergeCommand {
     }
     warnOfBadFrames(console_, output_, sum);
     answer(console_, {"", quiet_}, {},
-           fmt::format("{} films, samples {}: {}\n", films_.size(),
-                       sum.data().ranges.toString(), output_));
+           fmt::format("{} films, samples {}: {}\n", films_.size(), sum.data().ranges.toString(),
+                       output_));
     return kAgree;
   }
 

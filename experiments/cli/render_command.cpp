@@ -63,8 +63,7 @@ class RenderCommand {
 
   RenderResult render(Arm& arm) const {
     const InterruptScope interrupt;
-    ProgressDisplay display(console_.err,
-                            ProgressDisplay::styleForStandardError(answer_.quiet));
+    ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
     return renderFilm(arm, {[&](const JobProgress& state) { display.show(state); },
                             [&] { return interrupt.interrupted(); }});
   }

@@ -26,8 +26,8 @@ TEST_CASE("An unknown command exits with 2 and gets the nearest one", "[cli]") {
   const TemporaryDirectory directory;
   const ProgramResult result = runProgram(directory, {"compair", kCornell});
   CHECK(result.exitCode == 2);
-  CHECK_THAT(result.err, Contains("found command 'compair'") &&
-                             Contains("(did you mean 'compare'?)"));
+  CHECK_THAT(result.err,
+             Contains("found command 'compair'") && Contains("(did you mean 'compare'?)"));
 }
 
 TEST_CASE("Commands of later versions are unknown", "[cli]") {
@@ -57,7 +57,8 @@ TEST_CASE("A value out of its range exits with 2 and says what is allowed", "[cl
   const TemporaryDirectory directory;
   const ProgramResult noise = runProgram(directory, onCornell("render", {"--noise", "sin"}));
   CHECK(noise.exitCode == 2);
-  CHECK(noise.err == "twintrace: noise: found 'sin', expected pcg or sine (did you mean 'sine'?)\n");
+  CHECK(noise.err ==
+        "twintrace: noise: found 'sin', expected pcg or sine (did you mean 'sine'?)\n");
   for (const char* spp : {"0", "-1", "x", "1e3", "99999999999"}) {
     INFO(spp);
     CHECK(runProgram(directory, onCornell("render", {"--spp", spp})).exitCode == 2);
@@ -68,12 +69,11 @@ TEST_CASE("A value out of its range exits with 2 and says what is allowed", "[cl
 
 TEST_CASE("Options that exclude each other exit with 2", "[cli]") {
   const TemporaryDirectory directory;
-  const std::vector<std::vector<std::string>> bad = {
-      {"--precision", "double", "--lanes", "wide"},
-      {"--precision", "double", "--backend", "gpu"},
-      {"--hull", "embree", "--backend", "gpu"},
-      {"--first-sample", "3", "--passes", "2"},
-      {"--width", "100000", "--height", "100000"}};
+  const std::vector<std::vector<std::string>> bad = {{"--precision", "double", "--lanes", "wide"},
+                                                     {"--precision", "double", "--backend", "gpu"},
+                                                     {"--hull", "embree", "--backend", "gpu"},
+                                                     {"--first-sample", "3", "--passes", "2"},
+                                                     {"--width", "100000", "--height", "100000"}};
   for (const auto& options : bad) {
     INFO(options[0] << " " << options[1]);
     CHECK(runProgram(directory, onCornell("render", options)).exitCode == 2);
@@ -109,9 +109,11 @@ TEST_CASE("An image named by a scene that is none exits with 2", "[cli]") {
 TEST_CASE("An output that can't be written exits with 4 before the work", "[cli]") {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory.file("folder.exr"));
-  const std::vector<std::vector<std::string>> bad = {
-      {"-o", "nowhere/x.exr"}, {"-o", "folder.exr"},       {"--png", "nowhere/x.png"},
-      {"--film", "nowhere/f"}, {"--json", "nowhere/j.json"}};
+  const std::vector<std::vector<std::string>> bad = {{"-o", "nowhere/x.exr"},
+                                                     {"-o", "folder.exr"},
+                                                     {"--png", "nowhere/x.png"},
+                                                     {"--film", "nowhere/f"},
+                                                     {"--json", "nowhere/j.json"}};
   for (const auto& output : bad) {
     INFO(output[0] << " " << output[1]);
     // This many samples would take hours.
@@ -129,4 +131,14 @@ TEST_CASE("An output with a foreign ending exits with 2", "[cli]") {
   const TemporaryDirectory directory;
   CHECK(runProgram(directory, onCornell("render", {"-o", "x.jpg"})).exitCode == 2);
   CHECK(runProgram(directory, onCornell("render", {"--png", "x.exr"})).exitCode == 2);
+}
+
+TEST_CASE("A missing provider exits with 3", "[cli]") {
+  const TemporaryDirectory directory;
+  RunningProgram program(directory, onCornell("render", {"--backend", "gpu", "--gl", "egl"}),
+                         {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere"}});
+  const ProgramResult result = program.wait();
+  CHECK(result.exitCode == 3);
+  CHECK_THAT(result.err, Contains("twintrace: ") && Contains("egl"));
+  CHECK_FALSE(std::filesystem::exists(directory.file("cornell.exr")));
 }

@@ -13,8 +13,8 @@ namespace {
 
 std::vector<std::string> cpuArms(const std::string& a, const std::string& b,
                                  const std::vector<std::string>& more = {}) {
-  std::vector<std::string> options = {"--backend", "cpu", "--spp", "64", "--json", "-",
-                                      "--a",       a,     "--b",   b};
+  std::vector<std::string> options = {"--backend", "cpu", "--spp", "64",  "--json",
+                                      "-",         "--a", a,       "--b", b};
   options.insert(options.end(), more.begin(), more.end());
   return onCornell("compare", options);
 }
@@ -82,9 +82,8 @@ TEST_CASE("compare takes the CPU for a and the GPU for b", "[cli][gl]") {
 
 TEST_CASE("compare of float and double is different and finds the first sample", "[cli]") {
   const TemporaryDirectory directory;
-  const ProgramResult result =
-      runProgram(directory, cpuArms("precision=float", "precision=double",
-                                    {"--passes", "1", "--out", "out"}));
+  const ProgramResult result = runProgram(
+      directory, cpuArms("precision=float", "precision=double", {"--passes", "1", "--out", "out"}));
   CHECK(result.exitCode == 1);
   const auto json = result.json();
   CHECK(json["verdict"] == "different");
@@ -101,8 +100,7 @@ TEST_CASE("compare of float and double is different and finds the first sample",
                                    std::to_string(firstSample), "--spp", std::to_string(samples)}));
     const Image a = twintrace::readExr(directory.file("part/a.exr")).image;
     const Image b = twintrace::readExr(directory.file("part/b.exr")).image;
-    const std::size_t i =
-        3 * (first["y"].get<std::size_t>() * 16 + first["x"].get<std::size_t>());
+    const std::size_t i = 3 * (first["y"].get<std::size_t>() * 16 + first["x"].get<std::size_t>());
     return a.rgb[i] != b.rgb[i] || a.rgb[i + 1] != b.rgb[i + 1] || a.rgb[i + 2] != b.rgb[i + 2];
   };
   const int sample = first["sample"];
@@ -119,7 +117,8 @@ TEST_CASE("compare of float and double is different and finds the first sample",
 TEST_CASE("compare of unequal seeds is equivalent within a bound", "[cli]") {
   const TemporaryDirectory directory;
   const ProgramResult result = runProgram(
-      directory, cpuArms("seed=1", "seed=2", {"--spp", "4096", "--passes", "16", "--bound", "0.1"}));
+      directory,
+      cpuArms("seed=1", "seed=2", {"--spp", "4096", "--passes", "16", "--bound", "0.1"}));
   CHECK(result.exitCode == 0);
   const auto json = result.json();
   CHECK(json["verdict"] == "equivalent");
@@ -146,8 +145,7 @@ TEST_CASE("compare of unequal seeds and unequal light is different", "[cli]") {
 
 TEST_CASE("compare gives unpaired arms their 32 batches and says so", "[cli]") {
   const TemporaryDirectory directory;
-  const auto json =
-      runProgram(directory, cpuArms("seed=1,spp=8", "seed=2,passes=16")).json();
+  const auto json = runProgram(directory, cpuArms("seed=1,spp=8", "seed=2,passes=16")).json();
   CHECK(json["arms"]["a"]["samples"] == "0-31");
   CHECK(json["arms"]["b"]["samples"] == "0-63");
   CHECK(json["arms"]["b"]["passes"] == 2);
@@ -166,8 +164,8 @@ TEST_CASE("A paired compare with a time limit keeps the samples of both arms equ
 
 TEST_CASE("compare --repeats times each arm as often and reports the fastest", "[cli]") {
   const TemporaryDirectory directory;
-  const auto json = runProgram(directory, cpuArms("lanes=wide", "lanes=scalar", {"--repeats", "3"}))
-                        .json();
+  const auto json =
+      runProgram(directory, cpuArms("lanes=wide", "lanes=scalar", {"--repeats", "3"})).json();
   REQUIRE(json["arms"]["a"]["seconds"].size() == 3);
   double fastest = 1e9;
   for (const auto& seconds : json["arms"]["a"]["seconds"]) {
@@ -193,8 +191,8 @@ TEST_CASE("compare names the arm with a wrong option", "[cli]") {
 TEST_CASE("Two pictures of the same samples are compared by bits", "[cli]") {
   const TemporaryDirectory directory;
   REQUIRE(runProgram(directory, onCornell("render", {"--spp", "8", "-o", "a.exr"})).exitCode == 0);
-  REQUIRE(runProgram(directory, onCornell("render", {"--spp", "8", "-o", "b.exr", "--precision",
-                                                     "double"}))
+  REQUIRE(runProgram(directory,
+                     onCornell("render", {"--spp", "8", "-o", "b.exr", "--precision", "double"}))
               .exitCode == 0);
   const ProgramResult same = runProgram(directory, {"compare", "a.exr", "a.exr", "--json", "-"});
   CHECK(same.exitCode == 0);
@@ -220,6 +218,21 @@ TEST_CASE("Two pictures of unequal seeds are tested by their variance channels",
   CHECK(result.json()["paired"] == false);
 }
 
+TEST_CASE("compare notes a seed that unpaired pictures share", "[cli]") {
+  const TemporaryDirectory directory;
+  const auto arms = runProgram(directory, cpuArms("spp=64", "spp=128")).json();
+  CHECK(arms["paired"] == false);
+  CHECK_THAT(arms["notes"].back().get<std::string>(), Contains("share their seed"));
+  for (const char* spp : {"32", "64"}) {
+    REQUIRE(
+        runProgram(directory, onCornell("render", {"--spp", spp, "-o", std::string(spp) + ".exr"}))
+            .exitCode == 0);
+  }
+  const auto files = runProgram(directory, {"compare", "32.exr", "64.exr", "--json", "-"}).json();
+  CHECK(files["paired"] == false);
+  CHECK_THAT(files["notes"].back().get<std::string>(), Contains("share their seed"));
+}
+
 TEST_CASE("Pictures from elsewhere need errors unless all bits are equal", "[cli]") {
   const TemporaryDirectory directory;
   writePicture(directory, "a.exr", constantImage(16, 16, 0.5f));
@@ -234,8 +247,8 @@ TEST_CASE("Pictures from elsewhere need errors unless all bits are equal", "[cli
   const ProgramResult without = compare({"a.exr", "near.exr"});
   CHECK(without.exitCode == 2);
   CHECK_THAT(without.err, Contains("Variance.R") && Contains("--stderr-a"));
-  const std::vector<std::string> errors = {"--stderr-a", "error.exr", "--stderr-b", "error.exr",
-                                           "--json", "-"};
+  const std::vector<std::string> errors = {"--stderr-a", "error.exr", "--stderr-b",
+                                           "error.exr",  "--json",    "-"};
   std::vector<std::string> near = {"a.exr", "near.exr"};
   near.insert(near.end(), errors.begin(), errors.end());
   CHECK(compare(near).json()["verdict"] == "equivalent");
@@ -273,7 +286,8 @@ TEST_CASE("JSON stays valid where a picture has NaN", "[cli]") {
   CHECK(same.exitCode == 0);
   CHECK(same.json()["non_finite_values"] == 1);
   writePicture(directory, "e.exr", constantImage(2, 2, 0.1f));
-  const ProgramResult other = runProgram(directory, {"compare", "a.exr", "b.exr", "--stderr-a", "e.exr",
-                                                     "--stderr-b", "e.exr", "--json", "-"});
+  const ProgramResult other = runProgram(
+      directory,
+      {"compare", "a.exr", "b.exr", "--stderr-a", "e.exr", "--stderr-b", "e.exr", "--json", "-"});
   CHECK(other.json()["first_difference"]["b"][0].is_null());
 }

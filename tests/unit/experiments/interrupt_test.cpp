@@ -1,5 +1,5 @@
-#include <csignal>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -29,7 +29,8 @@ ProgramResult interruptWhileRendering(const TemporaryDirectory& directory,
 TEST_CASE("Ctrl-C ends render after the frame under way and writes what is done", "[cli]") {
   const TemporaryDirectory directory;
   const ProgramResult result = interruptWhileRendering(
-      directory, onCornell("render", {"--spp", "1000000000", "--passes", "64", "--film", "x.film"}));
+      directory,
+      onCornell("render", {"--spp", "1000000000", "--passes", "64", "--film", "x.film"}));
   INFO(result.err);
   CHECK(result.exitCode == 130);
   const twintrace::ExrContent content = twintrace::readExr(directory.file("cornell.exr"));

@@ -21,18 +21,27 @@ struct ProgramResult {
   nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
+/// A variable of the program's environment.
+struct Variable {
+  std::string name;
+  std::string value;
+};
+
 /// The program, running in a directory; its standard streams go to files in it.
 class RunningProgram {
  public:
-  RunningProgram(const TemporaryDirectory& directory, const std::vector<std::string>& arguments)
+  RunningProgram(const TemporaryDirectory& directory, const std::vector<std::string>& arguments,
+                 const std::vector<Variable>& environment = {})
       : directory_(directory) {
     std::vector<char*> words = {const_cast<char*>(TWINTRACE_BINARY)};
-    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    for (const std::string& argument : arguments)
+      words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
     const std::string out = directory.file("stdout.txt");
     const std::string err = directory.file("stderr.txt");
     pid_ = fork();
     if (pid_ != 0) return;
+    for (const Variable& v : environment) setenv(v.name.c_str(), v.value.c_str(), 1);
     const bool ready = chdir(directory.path().c_str()) == 0 &&
                        dup2(open(out.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), 1) == 1 &&
                        dup2(open(err.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), 2) == 2;

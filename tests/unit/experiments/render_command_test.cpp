@@ -29,9 +29,10 @@ TEST_CASE("render -o writes only what it is told", "[cli]") {
 
 TEST_CASE("render --json - writes JSON and nothing else to standard output", "[cli]") {
   const TemporaryDirectory directory;
-  const auto json = runProgram(directory, onCornell("render", {"--spp", "8", "--passes", "4",
-                                                               "--seed", "7", "--json", "-"}))
-                        .json();
+  const auto json =
+      runProgram(directory,
+                 onCornell("render", {"--spp", "8", "--passes", "4", "--seed", "7", "--json", "-"}))
+          .json();
   CHECK(json["samples_per_pixel"] == 8);
   CHECK(json["samples"] == "0-7");
   CHECK(json["frames"] == 2);
@@ -46,7 +47,8 @@ TEST_CASE("render --json - writes JSON and nothing else to standard output", "[c
 
 TEST_CASE("render --quiet prints nothing", "[cli]") {
   const TemporaryDirectory directory;
-  const ProgramResult result = runProgram(directory, onCornell("render", {"--spp", "4", "--quiet"}));
+  const ProgramResult result =
+      runProgram(directory, onCornell("render", {"--spp", "4", "--quiet"}));
   CHECK(result.exitCode == 0);
   CHECK(result.out.empty());
   CHECK(result.err.empty());
@@ -54,7 +56,8 @@ TEST_CASE("render --quiet prints nothing", "[cli]") {
 
 TEST_CASE("Options override the scene's", "[cli]") {
   const TemporaryDirectory directory;
-  REQUIRE(runProgram(directory, onCornell("render", {"--spp", "4", "--bounces", "2"})).exitCode == 0);
+  REQUIRE(runProgram(directory, onCornell("render", {"--spp", "4", "--bounces", "2"})).exitCode ==
+          0);
   const auto metadata = readExr(directory.file("cornell.exr")).metadata;
   CHECK(metadata.at("bounces") == "2");
   CHECK(metadata.at("integrator") == "path");
@@ -123,13 +126,13 @@ TEST_CASE("Two runs split by --first-sample merge to the bytes of one run", "[cl
 TEST_CASE("merge refuses films that overlap or don't belong together", "[cli]") {
   const TemporaryDirectory directory;
   const auto render = [&](const char* film, const char* seed) {
-    REQUIRE(runProgram(directory, onCornell("render", {"--spp", "4", "--seed", seed, "--film", film}))
-                .exitCode == 0);
+    REQUIRE(
+        runProgram(directory, onCornell("render", {"--spp", "4", "--seed", seed, "--film", film}))
+            .exitCode == 0);
   };
   render("a.film", "1");
   render("b.film", "2");
-  const ProgramResult overlap =
-      runProgram(directory, {"merge", "a.film", "a.film", "-o", "m.exr"});
+  const ProgramResult overlap = runProgram(directory, {"merge", "a.film", "a.film", "-o", "m.exr"});
   CHECK(overlap.exitCode == 2);
   CHECK_THAT(overlap.err, Contains("a.film: ") && Contains("overlap"));
   const ProgramResult foreign = runProgram(directory, {"merge", "a.film", "b.film", "-o", "m.exr"});
