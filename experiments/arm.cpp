@@ -6,6 +6,7 @@
 #include "common/scene/option_names.h"
 #include "cpu/tracer.h"
 #include "experiments/build_info.h"
+#include "experiments/machine.h"
 #include "gpu/tracer.h"
 
 namespace twintrace {
@@ -88,6 +89,8 @@ FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const Rende
 }
 
 Arm openArm(const Scene& scene, const RenderOptions& options) {
+  checkOptions(options);
+  checkFilmMemory(options.width, options.height, availableMemory());
   Arm arm;
   arm.options = options;
   arm.scene = flattenScene(scene, options);

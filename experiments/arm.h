@@ -30,7 +30,8 @@ std::shared_ptr<const FlatScene> flattenScene(const Scene& scene, const RenderOp
 FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const RenderOptions& options);
 
 /// Flattens the scene and opens the back end that the options name.
-/// @throws as flattenScene; DeviceError if the back end is missing.
+/// @throws as flattenScene; UsageError for a film beyond the machine's memory; DeviceError if the
+/// back end is missing.
 Arm openArm(const Scene& scene, const RenderOptions& options);
 
 }  // namespace twintrace

@@ -1,8 +1,9 @@
 #include "experiments/machine.h"
 
+#include <fmt/format.h>
 #include <tbb/version.h>
 
-#include <array>
+#include <charconv>
 #include <fstream>
 #include <string_view>
 #include <thread>
@@ -17,16 +18,20 @@
 namespace twintrace {
 namespace {
 
-std::string cpuModel() {
-  constexpr std::string_view kKey = "model name";
-  std::ifstream file("/proc/cpuinfo");
+/// Film 100 bytes, frame sums 12, mean, variance and count 28, and half of that again to write
+/// them.
+constexpr std::int64_t kBytesPerPixel = 220;
+
+/// The value of the first line `key : value` of one of the system's files, or nothing.
+std::optional<std::string> systemFact(const char* path, std::string_view key) {
+  std::ifstream file(path);
   std::string line;
   while (std::getline(file, line)) {
-    if (!line.starts_with(kKey)) continue;
-    const std::size_t start = line.find_first_not_of(" \t:", kKey.size());
-    return start == std::string::npos ? "" : line.substr(start);
+    if (!line.starts_with(key)) continue;
+    const std::size_t start = line.find_first_not_of(" \t:", key.size());
+    if (start != std::string::npos) return line.substr(start);
   }
-  return "unknown";
+  return std::nullopt;
 }
 
 ProviderFacts probe(Provider provider, std::string name) {
@@ -48,7 +53,7 @@ ProviderFacts probe(Provider provider, std::string name) {
 
 CpuFacts cpuFacts() {
   CpuFacts facts;
-  facts.model = cpuModel();
+  facts.model = systemFact("/proc/cpuinfo", "model name").value_or("unknown");
   facts.threads = std::thread::hardware_concurrency();
   const InstructionSet best = bestInstructionSet();
   for (const InstructionSet set :
@@ -58,6 +63,24 @@ CpuFacts cpuFacts() {
   facts.usedInstructionSet = instructionSetName(best);
   facts.lanes = laneCount(best);
   return facts;
+}
+
+std::optional<std::int64_t> availableMemory() {
+  const auto text = systemFact("/proc/meminfo", "MemAvailable");
+  std::int64_t kibibytes = 0;
+  if (!text) return std::nullopt;
+  const auto parsed = std::from_chars(text->data(), text->data() + text->size(), kibibytes);
+  if (parsed.ec != std::errc{}) return std::nullopt;
+  return kibibytes * 1024;
+}
+
+void checkFilmMemory(int width, int height, std::optional<std::int64_t> availableBytes) {
+  const std::int64_t needed = std::int64_t{width} * height * kBytesPerPixel;
+  if (!availableBytes || needed <= *availableBytes) return;
+  throw UsageError(
+      fmt::format("found a film of {} x {} pixels, which takes {:.1f} GiB of memory, expected at "
+                  "most {:.1f} GiB",
+                  width, height, double(needed) / (1 << 30), double(*availableBytes) / (1 << 30)));
 }
 
 std::vector<ProviderFacts> providerFacts() {

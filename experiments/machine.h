@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +31,13 @@ struct CpuFacts {
 using LibraryVersions = std::vector<std::pair<std::string, std::string>>;
 
 CpuFacts cpuFacts();
+
+/// Bytes that can be had without swapping; nothing where the system does not tell.
+std::optional<std::int64_t> availableMemory();
+
+/// Refuses a film before it fills the memory, since the system then kills programs unasked.
+/// @throws UsageError if the film and the pictures made of it need more than what is available.
+void checkFilmMemory(int width, int height, std::optional<std::int64_t> availableBytes);
 
 /// Opens a context of each provider in turn.
 std::vector<ProviderFacts> providerFacts();
