@@ -52,6 +52,9 @@ float noise(SampleKey key, int bounce, int dimension) {
         sineHash(unitFloat(key.first + counter), unitFloat(key.second + counter * 3u));
     return fromLattice;
   }
-  precise float hashed = unitFloat(pcgHash(key.first + counter));
+  // Two rounds: inputs of one round that differ by a multiple of a high power of two, as counters of
+  // neighbouring bounces would, give correlated numbers.
+  uint atBounce = pcgHash(key.first + uint(bounce) * 2654435769u);
+  precise float hashed = unitFloat(pcgHash(atBounce + uint(dimension) * 2246822519u));
   return hashed;
 }

@@ -63,7 +63,9 @@ R noise(const SceneView& scene, const SampleKey<R>& key, IntOf<R> bounce, int di
     return widened<R>(sineHash(unitFloat<N>(key.first + counter),
                                unitFloat<N>(key.second + counter * Uint(3u))));
   }
-  return widened<R>(unitFloat<N>(pcgHash(key.first + counter)));
+  const Uint atBounce = pcgHash(key.first + toUnsigned(bounce) * Uint(2654435769u));
+  const Uint along = toUnsigned(IntOf<R>(dimension)) * Uint(2246822519u);
+  return widened<R>(unitFloat<N>(pcgHash(atBounce + along)));
 }
 
 TWINTRACE_KERNEL_END
