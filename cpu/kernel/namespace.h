@@ -15,4 +15,11 @@
 
 // A step of a path: one function with everything that it calls inlined, since records of wide numbers
 // are slow to pass, but apart from the other integrators', whose common stack frame would be huge.
+// With a sanitizer's checks inside, g++ takes many minutes for such a function.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TWINTRACE_INLINE inline
+#define TWINTRACE_STEP __attribute__((noinline))
+#else
+#define TWINTRACE_INLINE __attribute__((always_inline)) inline
 #define TWINTRACE_STEP __attribute__((noinline, flatten))
+#endif

@@ -14,8 +14,6 @@
 
 TWINTRACE_KERNEL_BEGIN
 
-#define TWINTRACE_INLINE __attribute__((always_inline)) inline
-
 namespace stdx = std::experimental;
 using SimdFloat = stdx::native_simd<float>;
 using SimdInt = stdx::rebind_simd_t<std::int32_t, SimdFloat>;
