@@ -3,6 +3,7 @@
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
 
+#include <cassert>
 #include <chrono>
 
 #include "common/base/error.h"
@@ -66,8 +67,6 @@ TileKernel chooseKernel(const RenderOptions& options, Lanes lanes, InstructionSe
   return renderTileSse2;
 }
 
-// Kernel pages that are first touched, TBB's threads and Embree's tree are set up before the clock
-// runs: the first frame is rendered by callers that time as the design says.
 class CpuRenderer : public Renderer {
  public:
   CpuRenderer(std::shared_ptr<const FlatScene> scene, const RenderOptions& options,
@@ -82,6 +81,7 @@ class CpuRenderer : public Renderer {
   }
 
   double renderFrame(std::uint32_t firstSample, int passes, std::span<float> sums) override {
+    assert(sums.size() == std::size_t{3} * scene_->width * scene_->height);
     const FrameJob job{scene_.get(), &options_, hull_.get(), firstSample, passes, sums.data()};
     const auto size = static_cast<std::size_t>(settings_.tileSize);
     const tbb::blocked_range2d<int> pixels(0, scene_->height, size, 0, scene_->width, size);

@@ -43,11 +43,15 @@ std::string hex(XXH128_hash_t hash) {
   return text;
 }
 
+/// Part of every key: raise it when programs change by more than their source, such as the vertex
+/// shader.
+constexpr const char* kFormat = "1";
+
 /// Covers all that decides the program: stage, text and driver.
 std::string keyOf(const Context& context, Stage stage, const ShaderSource& source) {
   std::string all = stage == Stage::fragment ? "fragment" : "compute";
   for (const std::string& part :
-       {context.vendor(), context.renderer(), context.version(), source.text}) {
+       {std::string(kFormat), context.vendor(), context.renderer(), context.version(), source.text}) {
     all += '\0' + part;
   }
   return hex(XXH3_128bits(all.data(), all.size()));
@@ -119,7 +123,11 @@ std::unique_ptr<Program> ProgramCache::load(const std::string& key) {
 
 void ProgramCache::store(const std::string& key, const Program& program) const {
   if (directory_.empty()) return;
-  if (const auto binary = program.binary()) writeBinary(directory_ / key, *binary);
+  try {
+    if (const auto binary = program.binary()) writeBinary(directory_ / key, *binary);
+  } catch (const DeviceError&) {
+    // A driver that can't give the binary still runs the program.
+  }
 }
 
 }  // namespace twintrace

@@ -8,6 +8,11 @@
 namespace twintrace {
 namespace {
 
+static_assert(static_cast<int>(Integrator::local) == layout::kIntegratorLocal &&
+              static_cast<int>(Integrator::whitted) == layout::kIntegratorWhitted &&
+              static_cast<int>(Integrator::report) == layout::kIntegratorReport &&
+              static_cast<int>(Integrator::path) == layout::kIntegratorPath);
+
 std::string constant(std::string_view type, std::string_view name, std::string_view value) {
   return fmt::format("const {} {} = {};\n", type, name, value);
 }
@@ -92,6 +97,8 @@ bool usesLiteralGeometry(const FlatScene& scene, const RenderOptions& options) {
     throw UsageError(fmt::format("geometry literal with {} primitives, expected at most {}", count,
                                  kMaxLiteralPrimitives));
   }
+  // Somebody who works on the shaders wants to see the file geometry.glsl at work.
+  if (options.geometry == Geometry::automatic && !options.shaderDirectory.empty()) return false;
   return count <= kMaxLiteralPrimitives;
 }
 

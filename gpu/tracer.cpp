@@ -1,5 +1,7 @@
 #include "gpu/tracer.h"
 
+#include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "common/base/error.h"
@@ -16,6 +18,15 @@ namespace {
 
 constexpr int kGroupSize = 8;  // local_size of mains/compute.glsl
 
+// Larger films are drawn in tiles of about equal size, so that no limit of the device on textures,
+// buffers or work groups limits the film. 2048 x 2048 is far below all of them.
+constexpr int kMaxTileSide = 2048;
+
+int tileSide(int length) {
+  const int tiles = (length + kMaxTileSide - 1) / kMaxTileSide;
+  return (length + tiles - 1) / tiles;
+}
+
 void refuseCpuOptions(const RenderOptions& options) {
   if (options.precision == Precision::float64) {
     throw UsageError("precision double with backend gpu, expected backend cpu: shaders compute in "
@@ -31,6 +42,8 @@ class GpuRenderer : public Renderer {
   GpuRenderer(std::shared_ptr<const FlatScene> scene, const RenderOptions& options)
       : scene_(std::move(scene)),
         options_(options),
+        tileWidth_(tileSide(scene_->width)),
+        tileHeight_(tileSide(scene_->height)),
         context_(createContext(options.provider, options.threads)),
         programs_(*context_),
         timer_(*context_) {
@@ -39,31 +52,28 @@ class GpuRenderer : public Renderer {
     program_ = programs_.get(options.stage, assembleShader(library, specialise(*scene_, options)));
     texels_.emplace(*context_, scene_->texels);
     if (options.stage == Stage::fragment) {
-      target_.emplace(*context_, scene_->width, scene_->height);
-      pixels_.resize(pixelCount() * 4);
+      target_.emplace(*context_, tileWidth_, tileHeight_);
     } else {
-      storage_.emplace(*context_, pixelCount() * 3 * sizeof(float));
+      storage_.emplace(*context_, tilePixels() * channels() * sizeof(float));
     }
+    pixels_.resize(tilePixels() * channels());
     setFixedUniforms();
   }
 
   double renderFrame(std::uint32_t firstSample, int passes, std::span<float> sums) override {
+    assert(sums.size() == std::size_t{3} * scene_->width * scene_->height);
     const Context::Current current = context_->use();
     program_->set("firstSampleIndex", firstSample);
     program_->set("passCount", passes);
     texels_->bind(0);
-    timer_.start();
-    if (target_) {
-      target_->draw(*program_);
-    } else {
-      storage_->bind(0);
-      program_->dispatch({(scene_->width + kGroupSize - 1) / kGroupSize,
-                          (scene_->height + kGroupSize - 1) / kGroupSize, 1});
+    double seconds = 0;
+    for (int y = 0; y < scene_->height; y += tileHeight_) {
+      for (int x = 0; x < scene_->width; x += tileWidth_) {
+        seconds += renderTile(x, y);
+        copyTile(x, y, sums);
+      }
     }
-    timer_.stop();
-    if (const auto seconds = timer_.deviceSeconds()) deviceSeconds_ += *seconds;
-    readSums(sums);
-    return timer_.wallSeconds();
+    return seconds;
   }
 
   Provenance provenance() const override {
@@ -78,33 +88,59 @@ class GpuRenderer : public Renderer {
   }
 
  private:
-  std::size_t pixelCount() const {
-    return static_cast<std::size_t>(scene_->width) * static_cast<std::size_t>(scene_->height);
+  std::size_t tilePixels() const {
+    return static_cast<std::size_t>(tileWidth_) * static_cast<std::size_t>(tileHeight_);
+  }
+
+  /// Floats per pixel that the stage writes.
+  std::size_t channels() const { return options_.stage == Stage::fragment ? 4 : 3; }
+
+  /// @return seconds of wall time until the device is done.
+  double renderTile(int x, int y) {
+    program_->set("tileX", x);
+    program_->set("tileY", y);
+    timer_.start();
+    if (target_) {
+      target_->draw(*program_);
+    } else {
+      storage_->bind(0);
+      program_->dispatch({(tileWidth_ + kGroupSize - 1) / kGroupSize,
+                          (tileHeight_ + kGroupSize - 1) / kGroupSize, 1});
+    }
+    timer_.stop();
+    if (const auto seconds = timer_.deviceSeconds()) deviceSeconds_ += *seconds;
+    return timer_.wallSeconds();
+  }
+
+  /// Copies the part of a tile that lies on the film.
+  void copyTile(int x0, int y0, std::span<float> sums) {
+    if (target_) {
+      target_->read(pixels_);
+    } else {
+      storage_->read(std::as_writable_bytes(std::span(pixels_)));
+    }
+    const int columns = std::min(tileWidth_, scene_->width - x0);
+    const int rows = std::min(tileHeight_, scene_->height - y0);
+    for (int y = 0; y < rows; ++y) {
+      const float* from = &pixels_[static_cast<std::size_t>(y) * tileWidth_ * channels()];
+      float* to = &sums[3 * (static_cast<std::size_t>(y0 + y) * scene_->width + x0)];
+      for (int x = 0; x < columns; ++x, from += channels(), to += 3) std::copy_n(from, 3, to);
+    }
   }
 
   void setFixedUniforms() {
     setSceneUniforms(*program_, *scene_, options_);
     program_->set("filmWidth", scene_->width);
-    program_->set("filmHeight", scene_->height);
+    program_->set("tileWidth", tileWidth_);
+    program_->set("tileHeight", tileHeight_);
     program_->set("bounceLimit", options_.bounces);
     program_->set("seedValue", options_.seed);
   }
 
-  void readSums(std::span<float> sums) {
-    if (storage_) {
-      storage_->read(std::as_writable_bytes(sums));
-      return;
-    }
-    target_->read(pixels_);
-    for (std::size_t i = 0; i < pixelCount(); ++i) {
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        sums[3 * i + channel] = pixels_[4 * i + channel];
-      }
-    }
-  }
-
   std::shared_ptr<const FlatScene> scene_;
   RenderOptions options_;
+  int tileWidth_;
+  int tileHeight_;
   std::unique_ptr<Context> context_;
   ProgramCache programs_;
   std::shared_ptr<Program> program_;

@@ -5,11 +5,6 @@
 #include "report.glsl"
 #include "whitted.glsl"
 
-const int kIntegratorLocal = 0;
-const int kIntegratorWhitted = 1;
-const int kIntegratorReport = 2;
-const int kIntegratorPath = 3;
-
 PathState stepSample(PathState state, Frame frame) {
   if (kIntegrator == kIntegratorPath) {
     return stepPath(state, frame);

@@ -6,8 +6,8 @@
 #include "ray.glsl"
 #include "records.glsl"
 
-// 1 + 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
-const float kSlabWidening = 1.00000072f;
+// 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
+const float kSlabWidening = 7.2e-7f;
 
 // Haines, Guenther and Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection"
 // (Ray Tracing Gems, ch. 7), for directions of any length. Changed: written in select form; the
@@ -47,7 +47,7 @@ float intersectBoxRobust(Ray ray, Box box) {
   precise float farZ = (select(backZ, box.minimum.z, box.maximum.z) - ray.origin.z) * ray.inverse.z;
   precise float entry = greatest(greatest(greatest(-kInfinity, nearX), nearY), nearZ);
   precise float exit = least(least(least(kInfinity, farX), farY), farZ);
-  precise float widened = exit * kSlabWidening;
+  precise float widened = exit * (1.0f + kSlabWidening);
   precise float t = select(entry < ray.tmin, exit, entry);
   precise bool valid = entry <= widened && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);

@@ -5,8 +5,19 @@
 #include "sampling.glsl"
 #include "scene_access.glsl"
 
+// Shadow rays end 16 units of 2^-24 short of the light: what lies at the light itself, such as the
+// ceiling that a lamp touches, is computed at the light's distance within a few roundings, and does
+// not stand in between.
+const float kShadowGap = 9.5e-7f;
+
+// How far a shadow ray goes to something at that distance.
+float shadowReach(float distance) {
+  precise float result = least(distance * (1.0f - kShadowGap), kLargest);
+  return result;
+}
+
 // A direction towards a light; value is radiance over density, so that the light adds
-// bsdf * cos * value. Nothing nearer than `distance` may stand in between.
+// bsdf * cos * value. Nothing within `distance` may stand in between.
 struct LightSample {
   vec3 direction;
   float distance;
@@ -18,27 +29,33 @@ LightSample samplePointLight(Light light, vec3 position) {
   precise float squared = dot3(towards, towards);
   precise float distance = squareRoot(squared);
   precise vec3 direction = divide(towards, distance);
-  precise LightSample result = LightSample(direction, distance, divide(light.radiance, squared));
+  precise LightSample result = LightSample(direction, shadowReach(distance), divide(light.radiance, squared));
   return result;
 }
 
-// Uniform over the cone that the sphere fills. Shirley, Wang and Zimmerman 1996, "Monte Carlo
-// Techniques for Direct Lighting Calculations". Changed: 1 - cos of the rim is sin^2 / (1 + cos),
-// which does not cancel for far lights. A point inside the sphere sees half of the directions.
+// Uniform over the cone that the sphere fills, all directions for a point inside. Shirley, Wang and
+// Zimmerman 1996, "Monte Carlo Techniques for Direct Lighting Calculations". Changed: 1 - cos of the
+// rim is sin^2 / (1 + cos), which does not cancel for far lights.
 LightSample sampleSphereLight(Light light, vec3 position, float u, float v) {
   precise vec3 towards = light.position - position;
   precise float squared = dot3(towards, towards);
   precise float centerDistance = squareRoot(squared);
   precise float r2 = light.radius * light.radius;
+  precise bool inside = squared <= r2;
   precise float sinSquared = least(divide(r2, squared), 1.0f);
-  precise float height = divide(sinSquared, 1.0f + squareRoot(1.0f - sinSquared));
+  precise float rimCosine = squareRoot(1.0f - sinSquared);
+  precise float rim = divide(sinSquared, 1.0f + rimCosine);
+  precise float height = select(inside, 2.0f, rim);
+  precise bool central = centerDistance > 0.0f;
+  precise vec3 axis = select(central, divide(towards, centerDistance), vec3(0.0f, 1.0f, 0.0f));
   precise vec3 local = sampleCone(height, u, v);
-  precise vec3 direction = tangentToWorld(divide(towards, centerDistance), local);
+  precise vec3 direction = tangentToWorld(axis, local);
   precise float along = centerDistance * local.z;
   precise float aside = squared * greatest(1.0f - local.z * local.z, 0.0f);
-  precise float distance = along - squareRoot(greatest(r2 - aside, 0.0f));
+  precise float chord = squareRoot(greatest(r2 - aside, 0.0f));
+  precise float distance = select(inside, along + chord, along - chord);
   precise vec3 value = light.radiance * (kTwoPi * height);
-  precise LightSample result = LightSample(direction, distance, value);
+  precise LightSample result = LightSample(direction, shadowReach(distance), value);
   return result;
 }
 

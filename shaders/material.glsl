@@ -98,7 +98,8 @@ vec3 evaluateGgx(vec3 normal, vec3 d, vec3 i, float alpha, vec3 reflectance) {
   precise float cosOut = -dot3(d, normal);
   precise float cosIn = dot3(i, normal);
   precise float masking = maskingGgx(alpha, cosOut) * maskingGgx(alpha, cosIn);
-  precise float density = distributionGgx(alpha, dot3(h, normal));
+  precise vec3 across = cross3(h, normal);
+  precise float density = distributionGgx(alpha, dot3(h, normal), dot3(across, across));
   precise float factor = divide(density * masking, 4.0f * cosOut);
   precise vec3 result = select(cosOut > 0.0f && cosIn > 0.0f, reflectance * factor, vec3(0.0f));
   return result;

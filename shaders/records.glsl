@@ -73,6 +73,6 @@ struct Light {
   int kind;
   vec3 position;   // sun: unit direction towards the sun
   float radius;    // sphere
-  vec3 radiance;   // sphere, and sun with an angle: radiance; point: intensity; sun without: irradiance
+  vec3 radiance;   // sphere: radiance; point: intensity; sun: radiance times solid angle
   float height;    // sun: 1 - cos of the angular radius
 };

@@ -43,7 +43,7 @@ vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int
     precise vec3 intensity = select(sphere, light.radiance * area, light.radiance);
     precise vec3 direction = select(sun, light.position, divide(towards, distance));
     precise vec3 value = select(sun, light.radiance, divide(intensity, squared));
-    precise float reach = select(sun, kLargest, distance);
+    precise float reach = select(sun, kLargest, shadowReach(distance));
     precise float cosine = greatest(dot3(normal, direction), 0.0f);
     precise bool blocked = occluded(makeRay(origin, direction, 0.0f, reach));
     precise vec3 reflected = albedo * (value * cosine);

@@ -87,16 +87,20 @@ vec3 sampleGgxNormal(float alpha, float u, float v) {
   return result;
 }
 
-// GGX distribution of normals D(h). Walter et al. 2007, eq. 33.
-float distributionGgx(float alpha, float cosTheta) {
+// GGX distribution of normals D(h). Walter et al. 2007, eq. 33. Changed: the sine is given, since it
+// decides in narrow lobes, where the cosine no longer tells it.
+float distributionGgx(float alpha, float cosTheta, float sinSquared) {
   precise float squared = alpha * alpha;
-  precise float below = cosTheta * cosTheta * (squared - 1.0f) + 1.0f;
-  precise float density = divide(squared, (kPi * below) * below);
+  precise float below = sinSquared + (cosTheta * cosTheta) * squared;
+  precise float scaled = (kPi * below) * below;
+  precise float density = divide(squared, scaled);
   precise float result = select(cosTheta > 0.0f, density, 0.0f);
   return result;
 }
 
+// Density of sampleGgxNormal.
 float pdfGgxNormal(float alpha, float cosTheta) {
-  precise float result = distributionGgx(alpha, cosTheta) * cosTheta;
+  precise float sinSquared = (1.0f - cosTheta) * (1.0f + cosTheta);
+  precise float result = distributionGgx(alpha, cosTheta, sinSquared) * cosTheta;
   return result;
 }

@@ -21,7 +21,7 @@ Effect effectOf(const SphereShape&) {
   return Effect::sphere;
 }
 Effect effectOf(const BoxShape& box) {
-  return box.rotation ? Effect::orientedBox : Effect::box;
+  return box.isTurned() ? Effect::orientedBox : Effect::box;
 }
 Effect effectOf(const PlaneShape&) {
   return Effect::plane;
@@ -38,7 +38,7 @@ Effect effectOf(const SunLight&) {
 
 void addSpecular(const Material& material, EffectSet& effects) {
   if (!anyPositive(material.specular)) return;
-  if (material.roughness == 0) {
+  if (material.roughness < kMirrorRoughness) {
     effects.set(Effect::mirror, true);
   } else {
     effects.set(material.lobe == Lobe::ggx ? Effect::ggx : Effect::phong, true);
@@ -119,6 +119,25 @@ EffectSet neededEffects(const Scene& scene, const RenderOptions& options) {
   effects.set(Effect::indirect, followsPaths(options.integrator) && options.bounces > 1);
   applyForced(scene, effects);
   return effects;
+}
+
+Scene withoutEffects(Scene scene, const EffectSet& effects) {
+  const auto off = [&](Effect effect) { return !effects.has(effect); };
+  for (Material& material : scene.materials) {
+    if (off(Effect::emission)) material.emission = glm::vec3(0.0f);
+    if (off(Effect::diffuse)) material.albedo = glm::vec3(0.0f);
+    EffectSet specular;
+    addSpecular(material, specular);
+    if ((specular.bits() & ~effects.bits()) != 0) material.specular = glm::vec3(0.0f);
+  }
+  std::erase_if(scene.lights, [&](const Light& light) {
+    return off(std::visit([](const auto& kind) { return effectOf(kind); }, light));
+  });
+  std::erase_if(scene.objects, [&](const Object& object) {
+    return off(std::visit([](const auto& shape) { return effectOf(shape); }, object.shape));
+  });
+  if (off(Effect::lens)) scene.camera.aperture = 0.0f;
+  return scene;
 }
 
 EffectSet chosenEffects(const Scene& scene, const RenderOptions& options) {

@@ -61,6 +61,10 @@ EffectSet effectsFromList(std::string_view list);
 struct Scene;
 struct RenderOptions;
 
+/// The scene without what these effects leave out: colours become black, lights and objects go, the
+/// lens shrinks to a pinhole. So an effect that is off is off in every integrator.
+Scene withoutEffects(Scene scene, const EffectSet& effects);
+
 /// The effects that this scene's content can show under these options, with [effects] applied.
 EffectSet neededEffects(const Scene& scene, const RenderOptions& options);
 

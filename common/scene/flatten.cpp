@@ -43,6 +43,10 @@ FlatCamera flattenCamera(const Camera& camera, int width, int height) {
   flat.stepY = glm::vec3(up * -step);
   flat.lensX = glm::vec3(right * (camera.aperture / 2.0));
   flat.lensY = glm::vec3(up * (camera.aperture / 2.0));
+  if (!(glm::length(glm::dvec3(flat.corner)) < 1e18)) {
+    throw UsageError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                     " pixels reaches beyond 1e18 at the focus distance, expected less");
+  }
   return flat;
 }
 
@@ -56,8 +60,6 @@ glm::dmat3 rotationMatrix(glm::vec3 degrees) {
   const glm::dmat3 aboutZ(cz, sz, 0, -sz, cz, 0, 0, 0, 1);
   return aboutZ * aboutY * aboutX;
 }
-
-bool isTurned(const BoxShape& box) { return box.rotation && *box.rotation != glm::vec3(0.0f); }
 
 // Records of one kind of primitive, with the object of each.
 struct KindRecords {
@@ -75,17 +77,17 @@ void addShape(PrimitiveRecords& records, const SphereShape& sphere, int object) 
 }
 
 void addShape(PrimitiveRecords& records, const BoxShape& box, int object) {
-  if (!isTurned(box)) {
-    records.boxes.texels.push_back(texel(box.center - box.size * 0.5f));
-    records.boxes.texels.push_back(texel(box.center + box.size * 0.5f));
+  if (!box.isTurned()) {
+    records.boxes.texels.push_back(texel(glm::vec3(box.center - box.size * 0.5)));
+    records.boxes.texels.push_back(texel(glm::vec3(box.center + box.size * 0.5)));
     records.boxes.objects.push_back(object);
     return;
   }
   const glm::dmat3 axes = rotationMatrix(*box.rotation);
   auto& texels = records.orientedBoxes.texels;
-  texels.push_back(texel(box.center));
+  texels.push_back(texel(glm::vec3(box.center)));
   for (int axis = 0; axis < 3; ++axis) texels.push_back(texel(glm::vec3(axes[axis])));
-  texels.push_back(texel(box.size * 0.5f));
+  texels.push_back(texel(glm::vec3(box.size * 0.5)));
   records.orientedBoxes.objects.push_back(object);
 }
 
@@ -106,7 +108,7 @@ double mean(glm::vec3 colour) { return (double(colour.r) + colour.g + colour.b) 
 
 int lobeCode(const Material& material) {
   if (material.specular == glm::vec3(0.0f)) return layout::kLobeNone;
-  if (material.roughness == 0.0f) return layout::kLobeMirror;
+  if (material.roughness < kMirrorRoughness) return layout::kLobeMirror;
   return material.lobe == Lobe::ggx ? layout::kLobeGgx : layout::kLobePhong;
 }
 
@@ -178,7 +180,8 @@ void flattenEnvironment(const Environment& environment, FlatScene& flat) {
   Image image = readLinearImage(environment.image);
   for (float& value : image.rgb) value *= environment.strength;
   flat.environmentRadiance = meanRadiance(image);
-  flat.environmentTurn = float(environment.rotation / 360.0);
+  const double turns = environment.rotation / 360.0;
+  flat.environmentTurn = float(turns - std::floor(turns));
   flat.index.environmentWidth = image.width;
   flat.index.environmentHeight = image.height;
   flat.index.environmentOffset = static_cast<int>(flat.texels.size());
@@ -221,7 +224,9 @@ void flattenMaterials(const Scene& scene, FlatScene& flat) {
   flat.index.materialOffset = static_cast<int>(flat.texels.size());
   flat.index.materialCount = static_cast<int>(scene.materials.size());
   for (const Material& material : scene.materials) append(flat, materialRecord(material));
-  if (scene.materials.empty()) append(flat, materialRecord(Material{}));
+  if (!scene.materials.empty()) return;
+  append(flat, materialRecord(Material{}));
+  flat.index.materialCount = 1;
 }
 
 void flattenLights(const Scene& scene, FlatScene& flat) {
@@ -234,8 +239,10 @@ void flattenLights(const Scene& scene, FlatScene& flat) {
 
 }  // namespace
 
-FlatScene flatten(const Scene& scene, const RenderOptions& options) {
+FlatScene flatten(const Scene& authored, const RenderOptions& options) {
   FlatScene flat;
+  flat.effects = chosenEffects(authored, options);
+  const Scene scene = withoutEffects(authored, flat.effects);
   flat.width = options.width;
   flat.height = options.height;
   if (flat.width < 1 || flat.height < 1 || std::int64_t{flat.width} * flat.height > kMaxPixels) {
@@ -247,7 +254,6 @@ FlatScene flatten(const Scene& scene, const RenderOptions& options) {
   flattenMaterials(scene, flat);
   flattenLights(scene, flat);
   flattenEnvironment(scene.environment, flat);
-  flat.effects = chosenEffects(scene, options);
   return flat;
 }
 

@@ -62,8 +62,13 @@ bool isZero(const glm::vec3& v) {
 }
 
 void readCenterAndSize(TableReader& table, BoxShape& box) {
-  table.read("center", box.center, kAnyNumber, Need::required);
-  if (table.read("size", box.size, kNotNegative, Need::required) && isZero(box.size)) {
+  glm::vec3 center(box.center);
+  glm::vec3 size(box.size);
+  table.read("center", center, kAnyNumber, Need::required);
+  const bool hasSize = table.read("size", size, kNotNegative, Need::required);
+  box.center = center;
+  box.size = size;
+  if (hasSize && isZero(size)) {
     table.faults().add(table.positionOf("size"), "size [0, 0, 0]",
                        "a size above 0 on at least one axis");
   }
@@ -84,8 +89,8 @@ void readMinAndMax(TableReader& table, BoxShape& box) {
                        "max >= min on each axis, and above it on at least one");
     return;
   }
-  box.center = glm::vec3((glm::dvec3(minimum) + glm::dvec3(maximum)) * 0.5);
-  box.size = glm::vec3(glm::dvec3(maximum) - glm::dvec3(minimum));
+  box.center = (glm::dvec3(minimum) + glm::dvec3(maximum)) * 0.5;
+  box.size = glm::dvec3(maximum) - glm::dvec3(minimum);
 }
 
 /// Keys of the other way to give a box; they must not pass as unknown, since they are known ones.

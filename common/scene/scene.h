@@ -32,6 +32,10 @@ struct Environment {
 
 enum class Lobe { ggx, phong };
 
+/// Roughness below which a lobe is a mirror: narrower ones underflow in float.
+inline constexpr float kMirrorRoughness = 1e-4f;
+
+
 struct Material {
   std::string name;
   glm::vec3 albedo{0.0f};
@@ -49,10 +53,14 @@ struct SphereShape {
   float radius = 1.0f;
 };
 /// A box with full size along its own axes; rotation (degrees) turns about x, then y, then z.
+/// In double, so that faces authored as minimum and maximum come out as the floats that were written.
 struct BoxShape {
-  glm::vec3 center{0.0f};
-  glm::vec3 size{1.0f};
+  glm::dvec3 center{0.0};
+  glm::dvec3 size{1.0};
   std::optional<glm::vec3> rotation;
+
+  /// Whether it is an oriented box: a rotation by nothing leaves it aligned.
+  bool isTurned() const { return rotation && *rotation != glm::vec3(0.0f); }
 };
 struct PlaneShape {
   glm::vec3 point{0.0f};

@@ -45,9 +45,9 @@ template <class R>
 Vec3<R> environment(const SceneView& scene, const Vec3<R>& d) {
   if (scene.effectEnvironmentImage && scene.index.environmentWidth > 0) {
     const R turned =
-        (R(0.5f) + arcTangent2(d.z, d.x) * R(kInverseTwoPi)) + fetchEnvironmentTurn<R>(scene);
+        (R(0.5f) + arcTangent2(d.z, d.x) * constant<R>(kInverseTwoPi)) + fetchEnvironmentTurn<R>(scene);
     const R u = turned - floorOf(turned);
-    const R v = arcCosine(d.y) * R(kInversePi);
+    const R v = arcCosine(d.y) * constant<R>(kInversePi);
     return environmentBilinear(scene, u * toNumber<R>(scene.index.environmentWidth),
                                v * toNumber<R>(scene.index.environmentHeight));
   }

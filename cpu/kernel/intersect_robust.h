@@ -9,8 +9,8 @@
 
 TWINTRACE_KERNEL_BEGIN
 
-/// 1 + 2 gamma(3). Ize 2013, "Robust BVH Ray Traversal".
-inline constexpr float kSlabWidening = 1.00000072f;
+/// 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
+inline constexpr float kSlabWidening = 7.2e-7f;
 
 /// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, ch. 7), for directions of any length.
 /// Changed: written in select form; the quotient that is 0/0 for an origin at the point of contact
@@ -52,7 +52,7 @@ R intersectBoxRobust(const Ray<R>& ray, const Box<R>& box) {
   const R farZ = (select(backZ, box.minimum.z, box.maximum.z) - ray.origin.z) * ray.inverse.z;
   const R entry = greatest(greatest(greatest(R(-kInfinity), nearX), nearY), nearZ);
   const R exit = least(least(least(R(kInfinity), farX), farY), farZ);
-  const R widened = exit * R(kSlabWidening);
+  const R widened = exit * (R(1.0f) + errorBound<R>(kSlabWidening));
   const R t = select(entry < ray.tmin, exit, entry);
   const MaskOf<R> valid = entry <= widened && t >= ray.tmin;
   return select(valid, t, R(kInfinity));

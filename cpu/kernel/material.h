@@ -104,7 +104,8 @@ Vec3<R> evaluateGgx(const Vec3<R>& normal, const Vec3<R>& d, const Vec3<R>& i, R
   const R cosOut = -dot3(d, normal);
   const R cosIn = dot3(i, normal);
   const R masking = maskingGgx(alpha, cosOut) * maskingGgx(alpha, cosIn);
-  const R density = distributionGgx(alpha, dot3(h, normal));
+  const Vec3<R> across = cross3(h, normal);
+  const R density = distributionGgx(alpha, dot3(h, normal), dot3(across, across));
   const R factor = divide(density * masking, R(4.0f) * cosOut);
   return select(cosOut > R(0.0f) && cosIn > R(0.0f), reflectance * factor, Vec3<R>());
 }
@@ -115,7 +116,7 @@ Vec3<R> evaluatePhong(const Vec3<R>& normal, const Vec3<R>& d, const Vec3<R>& i,
                       const Vec3<R>& reflectance) {
   const R cosIn = greatest(dot3(i, normal), R(0.0f));
   const R lobe = power(dot3(reflect3(d, normal), i), exponent);
-  return reflectance * (((exponent + R(2.0f)) * R(kInverseTwoPi)) * (lobe * cosIn));
+  return reflectance * (((exponent + R(2.0f)) * constant<R>(kInverseTwoPi)) * (lobe * cosIn));
 }
 
 /// All lobes that are not deltas, times cosine, for light that arrives from the unit direction i.
@@ -124,7 +125,7 @@ Vec3<R> evaluateReflectance(const SceneView& scene, const Reflectance<R>& materi
                             const Vec3<R>& normal, const Vec3<R>& d, const Vec3<R>& i) {
   using Mask = MaskOf<R>;
   const R cosIn = greatest(dot3(i, normal), R(0.0f));
-  Vec3<R> result = material.albedo * (R(kInversePi) * cosIn);
+  Vec3<R> result = material.albedo * (constant<R>(kInversePi) * cosIn);
   const Mask ggx = material.lobe == IntOf<R>(kLobeGgx);
   if (scene.effectGgx && anyLane(ggx)) {
     const Vec3<R> glossy = result + evaluateGgx(normal, d, i, material.alpha, material.specular);

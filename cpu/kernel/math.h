@@ -153,7 +153,7 @@ R arcTangent2(R y, R x) {
               a;
   const R base = select(folded, R(0.785398163f) + p, p);
   const R unswapped = select(steep, R(1.57079633f) - base, base);
-  const R upper = select(x < R(0.0f), R(kPi) - unswapped, unswapped);
+  const R upper = select(x < R(0.0f), constant<R>(kPi) - unswapped, unswapped);
   return select(y < R(0.0f), -upper, upper);
 }
 

@@ -7,10 +7,10 @@
 
 TWINTRACE_KERNEL_BEGIN
 
-inline constexpr float kPi = 3.14159265f;
-inline constexpr float kInversePi = 0.318309886f;
-inline constexpr float kTwoPi = 6.28318531f;
-inline constexpr float kInverseTwoPi = 0.159154943f;
+inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kInversePi = 0.31830988618379067154;
+inline constexpr double kTwoPi = 6.28318530717958647692;
+inline constexpr double kInverseTwoPi = 0.15915494309189533577;
 
 template <NativeNumber R>
 R divide(R a, R b) {
@@ -58,15 +58,9 @@ struct SinCos {
   R cosine;
 };
 
-/// 2 pi in the number type's own precision.
-template <NativeNumber R>
-R twoPi() {
-  return R(decltype(plainNumber(R()))(6.283185307179586476925));
-}
-
 template <NativeNumber R>
 SinCos<R> sinCosTurns(R u) {
-  const auto angle = plainNumber(twoPi<R>() * u);
+  const auto angle = plainNumber(constant<R>(kTwoPi) * u);
   return {R(std::sin(angle)), R(std::cos(angle))};
 }
 

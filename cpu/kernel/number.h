@@ -74,6 +74,22 @@ inline float plainNumber(float x) { return x; }
 inline double plainNumber(double x) { return x; }
 inline float plainNumber(NativeFloat x) { return x.value; }
 
+/// A constant in the number type's own precision.
+template <class R>
+R constant(double value) {
+  if constexpr (std::is_same_v<R, double>) {
+    return value;
+  } else {
+    return R(static_cast<float>(value));
+  }
+}
+
+/// A bound on float rounding, for double scaled by 2^-29, the ratio of the two precisions.
+template <class R>
+R errorBound(float bound) {
+  return constant<R>(std::is_same_v<R, double> ? double{bound} * 0x1p-29 : double{bound});
+}
+
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr float kLargest = std::numeric_limits<float>::max();
 

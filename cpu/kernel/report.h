@@ -48,11 +48,11 @@ Vec3<R> reportDirectLight(const SceneView& scene, const Vec3<R>& origin, const V
     const Vec3<R> towards = (sphere ? light.position + octant : light.position) - origin;
     const R squared = dot3(towards, towards);
     const R distance = squareRoot(squared);
-    const R area = R(kPi) * (light.radius * light.radius);
+    const R area = constant<R>(kPi) * (light.radius * light.radius);
     const Vec3<R> intensity = sphere ? light.radiance * area : light.radiance;
     const Vec3<R> direction = sun ? light.position : divide(towards, distance);
     const Vec3<R> value = sun ? light.radiance : divide(intensity, squared);
-    const R reach = sun ? R(kLargest) : distance;
+    const R reach = sun ? R(kLargest) : shadowReach(distance);
     const R cosine = greatest(dot3(normal, direction), R(0.0f));
     const MaskOf<R> blocked = occluded(scene, makeRay(origin, direction, R(0.0f), reach));
     const Vec3<R> reflected = albedo * (value * cosine);

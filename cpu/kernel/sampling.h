@@ -35,7 +35,7 @@ Vec3<R> samplePowerHemisphere(R inverse, R u, R v) {
 
 template <class R>
 R pdfPowerHemisphere(R exponent, R cosTheta) {
-  const R density = ((exponent + R(1.0f)) * R(kInverseTwoPi)) * power(cosTheta, exponent);
+  const R density = ((exponent + R(1.0f)) * constant<R>(kInverseTwoPi)) * power(cosTheta, exponent);
   return select(cosTheta > R(0.0f), density, R(0.0f));
 }
 
@@ -47,7 +47,7 @@ Vec3<R> sampleCosineHemisphere(R u, R v) {
 
 template <class R>
 R pdfCosineHemisphere(R cosTheta) {
-  return select(cosTheta > R(0.0f), cosTheta * R(kInversePi), R(0.0f));
+  return select(cosTheta > R(0.0f), cosTheta * constant<R>(kInversePi), R(0.0f));
 }
 
 /// Direction uniform over the cone about +z whose rim has 1 - cos = height.
@@ -61,7 +61,7 @@ Vec3<R> sampleCone(R height, R u, R v) {
 
 template <class R>
 R pdfCone(R height, R cosTheta) {
-  const R density = divide(R(kInverseTwoPi), height);
+  const R density = divide(constant<R>(kInverseTwoPi), height);
   return select(cosTheta >= R(1.0f) - height, density, R(0.0f));
 }
 
@@ -86,18 +86,21 @@ Vec3<R> sampleGgxNormal(R alpha, R u, R v) {
   return {azimuth.cosine * sinTheta, azimuth.sine * sinTheta, cosTheta};
 }
 
-/// GGX distribution of normals D(h). Walter et al. 2007, eq. 33.
+/// GGX distribution of normals D(h). Walter et al. 2007, eq. 33. Changed: the sine is given, since it
+/// decides in narrow lobes, where the cosine no longer tells it.
 template <class R>
-R distributionGgx(R alpha, R cosTheta) {
+R distributionGgx(R alpha, R cosTheta, R sinSquared) {
   const R squared = alpha * alpha;
-  const R below = cosTheta * cosTheta * (squared - R(1.0f)) + R(1.0f);
-  const R density = divide(squared, (R(kPi) * below) * below);
+  const R below = sinSquared + (cosTheta * cosTheta) * squared;
+  const R density = divide(squared, (constant<R>(kPi) * below) * below);
   return select(cosTheta > R(0.0f), density, R(0.0f));
 }
 
+/// Density of sampleGgxNormal.
 template <class R>
 R pdfGgxNormal(R alpha, R cosTheta) {
-  return distributionGgx(alpha, cosTheta) * cosTheta;
+  const R sinSquared = (R(1.0f) - cosTheta) * (R(1.0f) + cosTheta);
+  return distributionGgx(alpha, cosTheta, sinSquared) * cosTheta;
 }
 
 TWINTRACE_KERNEL_END

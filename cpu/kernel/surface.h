@@ -30,7 +30,7 @@ template <class R>
 Surface<R> sphereSurface(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
   const Vec3<R> outward = normalize3(pointAt(ray, t) - sphere.center);
   const Vec3<R> position = sphere.center + outward * sphere.radius;
-  const R offset = (largestCoordinate(sphere.center) + sphere.radius) * R(kOffsetScale);
+  const R offset = (largestCoordinate(sphere.center) + sphere.radius) * errorBound<R>(kOffsetScale);
   return {position, outward, offset};
 }
 
@@ -81,7 +81,7 @@ Surface<R> boxSurface(const Ray<R>& ray, R t, const Box<R>& box) {
                          snapToFace(p.y, box.minimum.y, box.maximum.y, normal.y),
                          snapToFace(p.z, box.minimum.z, box.maximum.z, normal.z));
   const R low = largestCoordinate(box.minimum);
-  const R offset = greatest(low, largestCoordinate(box.maximum)) * R(kOffsetScale);
+  const R offset = greatest(low, largestCoordinate(box.maximum)) * errorBound<R>(kOffsetScale);
   return {position, normal, offset};
 }
 
@@ -122,7 +122,7 @@ Surface<R> orientedBoxSurface(const SceneView& scene, const Ray<R>& ray, R t,
   const Vec3<R> position = box.center + toWorldDirection(box, local.position);
   const Vec3<R> normal = toWorldDirection(box, local.normal);
   const R reach = largestCoordinate(box.center) + largestCoordinate(box.halfSize) * R(2.0f);
-  const R offset = scene.intersectorReport ? R(kReportOffset) : reach * R(kOffsetScale);
+  const R offset = scene.intersectorReport ? R(kReportOffset) : reach * errorBound<R>(kOffsetScale);
   return {position, normal, offset};
 }
 
@@ -131,7 +131,7 @@ Surface<R> planeSurface(const Ray<R>& ray, R t, const Plane<R>& plane) {
   const Vec3<R> p = pointAt(ray, t);
   const Vec3<R> position = p - plane.normal * dot3(p - plane.point, plane.normal);
   const R reach = greatest(largestCoordinate(position), largestCoordinate(plane.point));
-  return {position, plane.normal, reach * R(kOffsetScale)};
+  return {position, plane.normal, reach * errorBound<R>(kOffsetScale)};
 }
 
 template <class R>

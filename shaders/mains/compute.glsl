@@ -1,4 +1,4 @@
-// Compute stage: one pixel of a frame per invocation.
+// Compute stage: one pixel of a tile of a frame per invocation.
 #include "mains/uniforms.glsl"
 
 #include "integrator.glsl"
@@ -11,12 +11,12 @@ layout(std430, binding = 0) writeonly buffer FrameSums {
 void main() {
   int x = int(gl_GlobalInvocationID.x);
   int y = int(gl_GlobalInvocationID.y);
-  if (x >= filmWidth || y >= filmHeight) {
+  if (x >= tileWidth || y >= tileHeight) {
     return;
   }
   Frame frame = Frame(filmWidth, bounceLimit, passCount, firstSampleIndex, seedValue);
-  precise vec3 sum = renderPixel(x, y, frame);
-  int at = 3 * (y * filmWidth + x);
+  precise vec3 sum = renderPixel(tileX + x, tileY + y, frame);
+  int at = 3 * (y * tileWidth + x);
   frameSums[at] = sum.x;
   frameSums[at + 1] = sum.y;
   frameSums[at + 2] = sum.z;

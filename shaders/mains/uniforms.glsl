@@ -11,7 +11,10 @@ uniform vec3 cameraLensY;
 uniform vec3 environmentRadiance;
 uniform float environmentTurn;
 uniform int filmWidth;
-uniform int filmHeight;
+uniform int tileX;  // the part of the film that is drawn: its first pixel and its size
+uniform int tileY;
+uniform int tileWidth;
+uniform int tileHeight;
 uniform int bounceLimit;
 uniform int passCount;
 uniform uint firstSampleIndex;

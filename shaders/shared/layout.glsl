@@ -22,6 +22,12 @@ const int kLightPoint = 0;
 const int kLightSphere = 1;
 const int kLightSun = 2;
 
+// Integrators, as the host numbers them.
+const int kIntegratorLocal = 0;
+const int kIntegratorWhitted = 1;
+const int kIntegratorReport = 2;
+const int kIntegratorPath = 3;
+
 // A hit's primitive when nothing was hit; larger than any index, so that a candidate at exactly the
 // end of the ray's closed interval still wins the tie.
 const int kNoPrimitive = 0x7fffffff;

@@ -97,11 +97,11 @@ TEST_CASE("readScene reads objects of every shape and names those without a name
   CHECK(std::get<SphereShape>(objects[0].shape).radius == 0.35f);
   CHECK(objects[1].name == "box-1");
   CHECK(objects[1].material == 0);
-  CHECK(std::get<BoxShape>(objects[1].shape).size == glm::vec3(2.0f, 0.0f, 2.0f));
+  CHECK(std::get<BoxShape>(objects[1].shape).size == glm::dvec3(2.0f, 0.0f, 2.0f));
   CHECK(std::get<BoxShape>(objects[1].shape).rotation == glm::vec3(0.0f, 30.0f, 0.0f));
   CHECK(objects[2].material == 1);
-  CHECK(std::get<BoxShape>(objects[2].shape).center == glm::vec3(0.0f, 1.75f, 1.0f));
-  CHECK(std::get<BoxShape>(objects[2].shape).size == glm::vec3(2.0f, 0.5f, 4.0f));
+  CHECK(std::get<BoxShape>(objects[2].shape).center == glm::dvec3(0.0f, 1.75f, 1.0f));
+  CHECK(std::get<BoxShape>(objects[2].shape).size == glm::dvec3(2.0f, 0.5f, 4.0f));
   CHECK_FALSE(std::get<BoxShape>(objects[2].shape).rotation);
   CHECK(objects[3].name == "plane-3");
   CHECK(std::get<PlaneShape>(objects[3].shape).point == glm::vec3(0.0f, -1.0f, 0.0f));
