@@ -121,8 +121,9 @@ Surface<R> orientedBoxSurface(const SceneView& scene, const Ray<R>& ray, R t,
   const Surface<R> local = chosenBoxSurface(scene, toLocalRay(ray, box), t, toLocalBox(box));
   const Vec3<R> position = box.center + toWorldDirection(box, local.position);
   const Vec3<R> normal = toWorldDirection(box, local.normal);
+  // The axes are rounded to float, so the way there and back errs by that in double too.
   const R reach = largestCoordinate(box.center) + largestCoordinate(box.halfSize) * R(2.0f);
-  const R offset = scene.intersectorReport ? R(kReportOffset) : reach * errorBound<R>(kOffsetScale);
+  const R offset = scene.intersectorReport ? R(kReportOffset) : reach * R(kOffsetScale);
   return {position, normal, offset};
 }
 
