@@ -1,13 +1,13 @@
 #include "cpu/embree_caster.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
+#include "common/base/parallel_for.h"
 #include "cpu/embree_device.h"
 #include "common/base/flush_denormals.h"
 #include "cpu/kernel/scene_access.h"
@@ -95,7 +95,7 @@ class Caster : public EmbreeCaster {
   std::vector<CastHit> cast(std::span<const CastRay> rays) override {
     std::vector<CastHit> hits(rays.size());
     const tbb::blocked_range<std::size_t> all(0, rays.size(), kGrain);
-    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
+    parallelFor(all, [&](const tbb::blocked_range<std::size_t>& part) {
       const FlushDenormals flush;
       for (std::size_t i = part.begin(); i < part.end(); ++i) hits[i] = castOne(rays[i]);
     });

@@ -1,8 +1,8 @@
 #include "cpu/kernel_caster.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
+#include "common/base/parallel_for.h"
 #include "cpu/embree_hull.h"
 #include "common/base/flush_denormals.h"
 #include "cpu/kernel/surface.h"
@@ -62,7 +62,7 @@ class KernelCaster : public RayCaster {
     std::vector<CastHit> hits(rays.size());
     const tbb::blocked_range<std::size_t> all(0, rays.size(), kGrain);
     arena_.execute([&] {
-      tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
+      parallelFor(all, [&](const tbb::blocked_range<std::size_t>& part) {
         const FlushDenormals flush;
         for (std::size_t i = part.begin(); i < part.end(); ++i) {
           hits[i] = castOne<R>(view_, rays[i]);

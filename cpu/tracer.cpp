@@ -1,12 +1,12 @@
 #include "cpu/tracer.h"
 
 #include <tbb/blocked_range2d.h>
-#include <tbb/parallel_for.h>
 
 #include <cassert>
 #include <chrono>
 
 #include "common/base/error.h"
+#include "common/base/parallel_for.h"
 #include "cpu/embree_hull.h"
 #include "cpu/kernel_entry.h"
 #include "cpu/thread_arena.h"
@@ -87,7 +87,7 @@ class CpuRenderer : public Renderer {
     const tbb::blocked_range2d<int> pixels(0, scene_->height, size, 0, scene_->width, size);
     const auto start = std::chrono::steady_clock::now();
     arena_.execute([&] {
-      tbb::parallel_for(
+      parallelFor(
           pixels,
           [&](const tbb::blocked_range2d<int>& part) {
             kernel_(job, Tile{part.cols().begin(), part.rows().begin(), part.cols().end(),

@@ -1,7 +1,6 @@
 #include "common/film/film.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cassert>
@@ -11,6 +10,7 @@
 #include <tuple>
 
 #include "common/base/error.h"
+#include "common/base/parallel_for.h"
 #include "common/trace/options.h"
 
 namespace twintrace {
@@ -19,7 +19,7 @@ namespace {
 /// Calls body(y) for every row, in parallel.
 template <class Body>
 void forRows(int height, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<int>(0, height), [&](const tbb::blocked_range<int>& rows) {
+  parallelFor(tbb::blocked_range<int>(0, height), [&](const tbb::blocked_range<int>& rows) {
     for (int y = rows.begin(); y != rows.end(); ++y) body(y);
   });
 }

@@ -1,7 +1,7 @@
 #include "common/stats/permutation_test.h"
 
+#include "common/base/parallel_for.h"
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ double maxTPermutationP(const BatchMeans& a, const BatchMeans& b, int permutatio
   std::vector<double> largest(labels.size(), 0.0);
   std::mutex mutex;
   const tbb::blocked_range<std::size_t> chunks(0, (unitCount + kChunk - 1) / kChunk);
-  tbb::parallel_for(chunks, [&](const tbb::blocked_range<std::size_t>& range) {
+  parallelFor(chunks, [&](const tbb::blocked_range<std::size_t>& range) {
     std::vector<double> local(labels.size(), 0.0);
     for (std::size_t index = range.begin(); index != range.end(); ++index) {
       Chunk chunk(a, b, index * kChunk, std::min(unitCount, (index + 1) * kChunk));
