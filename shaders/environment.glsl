@@ -13,8 +13,11 @@ int wrapColumn(int x, int width) {
 vec3 environmentBilinear(float column, float row) {
   precise float width = float(kEnvironmentWidth);
   precise float height = float(kEnvironmentHeight);
-  precise float x = clampTo(column - 0.5f, -1.0f, width);
-  precise float y = clampTo(row - 0.5f, 0.0f, height - 1.0f);
+  precise float fromFirstColumn = column - 0.5f;
+  precise float fromFirstRow = row - 0.5f;
+  precise float lastRow = height - 1.0f;
+  precise float x = clampTo(fromFirstColumn, -1.0f, width);
+  precise float y = clampTo(fromFirstRow, 0.0f, lastRow);
   precise float left = floor(x);
   precise float top = floor(y);
   precise float fx = x - left;
@@ -38,8 +41,9 @@ vec3 environment(vec3 d) {
     precise float turned = (0.5f + arcTangent2(d.z, d.x) * kInverseTwoPi) + fetchEnvironmentTurn();
     precise float u = turned - floor(turned);
     precise float v = arcCosine(d.y) * kInversePi;
-    precise vec3 looked =
-        environmentBilinear(u * float(kEnvironmentWidth), v * float(kEnvironmentHeight));
+    precise float column = u * float(kEnvironmentWidth);
+    precise float row = v * float(kEnvironmentHeight);
+    precise vec3 looked = environmentBilinear(column, row);
     return looked;
   }
   return fetchEnvironmentRadiance();

@@ -27,7 +27,8 @@ float unitFloat(uint bits) {
 
 // The report's noise, eq. 9-10: in [0, 1].
 float sineHash(float x, float y) {
-  precise float raised = sine(x * 14.4527f + y * 76.8761f) * 39282.6275f;
+  precise float angle = x * 14.4527f + y * 76.8761f;
+  precise float raised = sine(angle) * 39282.6275f;
   precise float result = raised - floor(raised);
   return result;
 }

@@ -29,7 +29,8 @@ vec3 toWorldDirection(OrientedBox box, vec3 v) {
 }
 
 Ray toLocalRay(Ray ray, OrientedBox box) {
-  precise vec3 origin = toLocalDirection(box, ray.origin - box.center);
+  precise vec3 fromCenter = ray.origin - box.center;
+  precise vec3 origin = toLocalDirection(box, fromCenter);
   precise vec3 direction = toLocalDirection(box, ray.direction);
   precise Ray result = makeRay(origin, direction, ray.tmin, ray.tmax);
   return result;

@@ -7,11 +7,14 @@
 
 // Report algorithm 2.
 float intersectSphereReport(Ray ray, Sphere sphere) {
-  precise float along = dot3(sphere.center - ray.origin, ray.direction);
+  precise vec3 toCenter = sphere.center - ray.origin;
+  precise float along = dot3(toCenter, ray.direction);
   precise vec3 nearest = ray.origin + ray.direction * along;
-  precise float distance = length3(sphere.center - nearest);
+  precise vec3 aside = sphere.center - nearest;
+  precise float distance = length3(aside);
   precise float r = sphere.radius;
-  precise float halfChord = squareRoot(greatest(r * r - distance * distance, 0.0f));
+  precise float halfSquared = r * r - distance * distance;
+  precise float halfChord = squareRoot(greatest(halfSquared, 0.0f));
   precise float t = along - halfChord;
   precise bool valid = distance < r && t > 0.0f && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
@@ -38,7 +41,8 @@ float intersectBoxReport(Ray ray, Box box) {
 // Report eq. 7.
 float intersectPlaneReport(Ray ray, Plane plane) {
   precise float facing = dot3(plane.normal, ray.direction);
-  precise float t = divide(dot3(plane.point - ray.origin, plane.normal), facing);
+  precise vec3 toPlane = plane.point - ray.origin;
+  precise float t = divide(dot3(toPlane, plane.normal), facing);
   precise float size = absolute(facing);
   precise bool valid = size > 1e-4f && t >= 1e-4f && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);

@@ -19,8 +19,11 @@ float intersectSphereRobust(Ray ray, Sphere sphere) {
   precise vec3 toAxis = f + ray.direction * divide(b, a);
   precise float r2 = sphere.radius * sphere.radius;
   precise float discriminant = r2 - dot3(toAxis, toAxis);
-  precise float root = squareRoot(a * greatest(discriminant, 0.0f));
-  precise float q = select(b < 0.0f, b - root, b + root);
+  precise float scaled = a * greatest(discriminant, 0.0f);
+  precise float root = squareRoot(scaled);
+  precise float less = b - root;
+  precise float more = b + root;
+  precise float q = select(b < 0.0f, less, more);
   precise float c = dot3(f, f) - r2;
   precise float t0 = divide(c, q);
   precise float t1 = divide(q, a);
@@ -56,7 +59,8 @@ float intersectBoxRobust(Ray ray, Box box) {
 
 // t = num / den with no threshold on den: a parallel ray gives infinity or NaN, which is a miss.
 float intersectPlaneRobust(Ray ray, Plane plane) {
-  precise float height = dot3(plane.point - ray.origin, plane.normal);
+  precise vec3 toPlane = plane.point - ray.origin;
+  precise float height = dot3(toPlane, plane.normal);
   precise float t = divide(height, dot3(plane.normal, ray.direction));
   precise bool valid = t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);

@@ -12,7 +12,8 @@ const float kShadowGap = 9.5e-7f;
 
 // How far a shadow ray goes to something at that distance.
 float shadowReach(float distance) {
-  precise float result = least(distance * (1.0f - kShadowGap), kLargest);
+  precise float shortened = distance * (1.0f - kShadowGap);
+  precise float result = least(shortened, kLargest);
   return result;
 }
 
@@ -43,17 +44,23 @@ LightSample sampleSphereLight(Light light, vec3 position, float u, float v) {
   precise float r2 = light.radius * light.radius;
   precise bool inside = squared <= r2;
   precise float sinSquared = least(divide(r2, squared), 1.0f);
-  precise float rimCosine = squareRoot(1.0f - sinSquared);
-  precise float rim = divide(sinSquared, 1.0f + rimCosine);
+  precise float cosSquared = 1.0f - sinSquared;
+  precise float rimCosine = squareRoot(cosSquared);
+  precise float onePlusCosine = 1.0f + rimCosine;
+  precise float rim = divide(sinSquared, onePlusCosine);
   precise float height = select(inside, 2.0f, rim);
   precise bool central = centerDistance > 0.0f;
   precise vec3 axis = select(central, divide(towards, centerDistance), vec3(0.0f, 1.0f, 0.0f));
   precise vec3 local = sampleCone(height, u, v);
   precise vec3 direction = tangentToWorld(axis, local);
   precise float along = centerDistance * local.z;
-  precise float aside = squared * greatest(1.0f - local.z * local.z, 0.0f);
-  precise float chord = squareRoot(greatest(r2 - aside, 0.0f));
-  precise float distance = select(inside, along + chord, along - chord);
+  precise float localSquared = 1.0f - local.z * local.z;
+  precise float aside = squared * greatest(localSquared, 0.0f);
+  precise float chordSquared = r2 - aside;
+  precise float chord = squareRoot(greatest(chordSquared, 0.0f));
+  precise float farther = along + chord;
+  precise float closer = along - chord;
+  precise float distance = select(inside, farther, closer);
   precise vec3 value = light.radiance * (kTwoPi * height);
   precise LightSample result = LightSample(direction, shadowReach(distance), value);
   return result;

@@ -15,8 +15,11 @@ struct ScatterSample {
 // Smith's masking of one direction for GGX. Walter et al. 2007, eq. 34.
 float maskingGgx(float alpha, float cosTheta) {
   precise float squared = alpha * alpha;
-  precise float root = squareRoot(squared + (1.0f - squared) * (cosTheta * cosTheta));
-  precise float result = divide(2.0f * cosTheta, cosTheta + root);
+  precise float widened = squared + (1.0f - squared) * (cosTheta * cosTheta);
+  precise float root = squareRoot(widened);
+  precise float twice = 2.0f * cosTheta;
+  precise float sum = cosTheta + root;
+  precise float result = divide(twice, sum);
   return result;
 }
 
@@ -29,9 +32,12 @@ ScatterSample sampleGgx(vec3 normal, vec3 d, float alpha, vec3 reflectance, floa
   precise float cosHalf = dot3(h, normal);
   precise float outHalf = -dot3(d, h);
   precise float masking = maskingGgx(alpha, cosOut) * maskingGgx(alpha, cosIn);
-  precise float factor = divide(masking * outHalf, cosOut * cosHalf);
+  precise float above = masking * outHalf;
+  precise float below = cosOut * cosHalf;
+  precise float factor = divide(above, below);
   precise bool valid = cosOut > 0.0f && cosIn > 0.0f && outHalf > 0.0f && cosHalf > 0.0f;
-  precise vec3 weight = select(valid, reflectance * factor, vec3(0.0f));
+  precise vec3 reflected = reflectance * factor;
+  precise vec3 weight = select(valid, reflected, vec3(0.0f));
   precise ScatterSample result = ScatterSample(direction, weight);
   return result;
 }
@@ -94,14 +100,18 @@ ScatterSample sampleScattering(Scattering material, vec3 normal, vec3 d, float l
 
 // GGX lobe times cosine towards the unit direction i.
 vec3 evaluateGgx(vec3 normal, vec3 d, vec3 i, float alpha, vec3 reflectance) {
-  precise vec3 h = normalize3(i - d);
+  precise vec3 bisector = i - d;
+  precise vec3 h = normalize3(bisector);
   precise float cosOut = -dot3(d, normal);
   precise float cosIn = dot3(i, normal);
   precise float masking = maskingGgx(alpha, cosOut) * maskingGgx(alpha, cosIn);
   precise vec3 across = cross3(h, normal);
   precise float density = distributionGgx(alpha, dot3(h, normal), dot3(across, across));
-  precise float factor = divide(density * masking, 4.0f * cosOut);
-  precise vec3 result = select(cosOut > 0.0f && cosIn > 0.0f, reflectance * factor, vec3(0.0f));
+  precise float above = density * masking;
+  precise float below = 4.0f * cosOut;
+  precise float factor = divide(above, below);
+  precise vec3 reflected = reflectance * factor;
+  precise vec3 result = select(cosOut > 0.0f && cosIn > 0.0f, reflected, vec3(0.0f));
   return result;
 }
 

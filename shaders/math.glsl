@@ -79,7 +79,8 @@ SinCos sinCosReduced(float angle, int quarters) {
 // 1.2e-7 for u in [0, 1].
 SinCos sinCosTurns(float u) {
   precise float quarters = 4.0f * u;
-  precise float nearest = floor(quarters + 0.5f);
+  precise float raised = quarters + 0.5f;
+  precise float nearest = floor(raised);
   precise float angle = (quarters - nearest) * 1.57079633f;
   precise SinCos result = sinCosReduced(angle, int(nearest));
   return result;
@@ -88,12 +89,15 @@ SinCos sinCosTurns(float u) {
 // Sine of x radians by a three-term Cody-Waite reduction: absolute error below 1e-6 for
 // |x| < 50,000; beyond, still within [-1, 1], without meaning.
 float sine(float x) {
-  precise float k = floor(x * 0.636619772f + 0.5f);
+  precise float raised = x * 0.636619772f + 0.5f;
+  precise float k = floor(raised);
   precise float reduced =
       ((x - k * 1.5703125f) - k * 4.837512969970703e-4f) - k * 7.549789948768648e-8f;
   precise float angle = clampTo(reduced, -0.7853982f, 0.7853982f);
-  precise float turns = floor(k * 0.25f);
-  precise float quarters = clampTo(k - 4.0f * turns, 0.0f, 3.0f);
+  precise float inTurns = k * 0.25f;
+  precise float turns = floor(inTurns);
+  precise float part = k - 4.0f * turns;
+  precise float quarters = clampTo(part, 0.0f, 3.0f);
   precise SinCos both = sinCosReduced(angle, int(quarters));
   return both.sine;
 }
@@ -104,7 +108,8 @@ float log2Of(float x) {
   int exponent = ((bits >> 23) & 255) - 126;
   precise float fraction = intBitsToFloat((bits & 0x007fffff) | 0x3f000000);
   precise bool low = fraction < 0.707106781f;
-  precise float mantissa = select(low, fraction + fraction, fraction);
+  precise float doubled = fraction + fraction;
+  precise float mantissa = select(low, doubled, fraction);
   precise float m = mantissa - 1.0f;
   precise float z = m * m;
   precise float p = 7.0376836292e-2f;
@@ -124,7 +129,8 @@ float log2Of(float x) {
 // 2^x, x held within [-126, 127]; relative error below 2e-7.
 float exp2Of(float x) {
   precise float held = clampTo(x, -126.0f, 127.0f);
-  precise float k = floor(held + 0.5f);
+  precise float raised = held + 0.5f;
+  precise float k = floor(raised);
   precise float f = held - k;
   precise float p = 1.535336188319500e-4f;
   p = p * f + 1.339887440266574e-3f;
@@ -140,7 +146,8 @@ float exp2Of(float x) {
 
 // x^y for x >= 0 and y > 0; 0 for x that is not positive.
 float power(float x, float y) {
-  precise float raised = exp2Of(y * log2Of(x));
+  precise float exponent = y * log2Of(x);
+  precise float raised = exp2Of(exponent);
   precise float result = select(x > 0.0f, raised, 0.0f);
   return result;
 }
@@ -154,13 +161,18 @@ float arcTangent2(float y, float x) {
   precise float shorter = select(steep, ax, ay);
   precise float ratio = select(longer > 0.0f, divide(shorter, longer), 0.0f);
   precise bool folded = ratio > 0.414213562f;
-  precise float a = select(folded, divide(ratio - 1.0f, ratio + 1.0f), ratio);
+  precise float less = ratio - 1.0f;
+  precise float more = ratio + 1.0f;
+  precise float a = select(folded, divide(less, more), ratio);
   precise float z = a * a;
   precise float p = (((8.05374449538e-2f * z - 1.38776856032e-1f) * z + 1.99777106478e-1f) * z -
                      3.33329491539e-1f) * (z * a) + a;
-  precise float base = select(folded, 0.785398163f + p, p);
-  precise float unswapped = select(steep, 1.57079633f - base, base);
-  precise float upper = select(x < 0.0f, kPi - unswapped, unswapped);
+  precise float unfolded = 0.785398163f + p;
+  precise float base = select(folded, unfolded, p);
+  precise float complement = 1.57079633f - base;
+  precise float unswapped = select(steep, complement, base);
+  precise float supplement = kPi - unswapped;
+  precise float upper = select(x < 0.0f, supplement, unswapped);
   precise float result = select(y < 0.0f, -upper, upper);
   return result;
 }
@@ -168,7 +180,8 @@ float arcTangent2(float y, float x) {
 // Angle whose cosine is x, held within [-1, 1], in radians; accurate near both ends.
 float arcCosine(float x) {
   precise float held = clampTo(x, -1.0f, 1.0f);
-  precise float result =
-      2.0f * arcTangent2(squareRoot(1.0f - held), squareRoot(1.0f + held));
+  precise float less = 1.0f - held;
+  precise float more = 1.0f + held;
+  precise float result = 2.0f * arcTangent2(squareRoot(less), squareRoot(more));
   return result;
 }

@@ -36,11 +36,13 @@ vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int
     precise vec3 octant = normalize3(corner) * light.radius;
     precise bool sphere = light.kind == kLightSphere;
     precise bool sun = light.kind == kLightSun;
-    precise vec3 towards = select(sphere, light.position + octant, light.position) - origin;
+    precise vec3 point = light.position + octant;
+    precise vec3 towards = select(sphere, point, light.position) - origin;
     precise float squared = dot3(towards, towards);
     precise float distance = squareRoot(squared);
     precise float area = kPi * (light.radius * light.radius);
-    precise vec3 intensity = select(sphere, light.radiance * area, light.radiance);
+    precise vec3 whole = light.radiance * area;
+    precise vec3 intensity = select(sphere, whole, light.radiance);
     precise vec3 direction = select(sun, light.position, divide(towards, distance));
     precise vec3 value = select(sun, light.radiance, divide(intensity, squared));
     precise float reach = select(sun, kLargest, shadowReach(distance));
@@ -75,7 +77,8 @@ PathState stepReport(PathState state, Frame frame) {
   precise vec3 local = samplePowerHemisphere(inverse, random.first, random.second);
   precise vec3 direction = select(mirror, mirrored, tangentToWorld(axis, local));
   precise float cosine = dot3(normal, direction);
-  precise float raised = select(specular, cosine * chances.phongScale, cosine);
+  precise float scaled = cosine * chances.phongScale;
+  precise float raised = select(specular, scaled, cosine);
   precise float factor = clampTo(raised, 0.0f, 1.0f);
   precise vec3 weight = select(specular, colours.specular, colours.albedo) * factor;
   return leave(state, vertex, radiance, direction, weight);

@@ -16,7 +16,8 @@ vec3 tangentToWorld(vec3 n, vec3 local) {
 
 // Unit direction with polar cosine cosTheta and azimuth v turns, z up.
 vec3 polarDirection(float cosTheta, float v) {
-  precise float sinTheta = squareRoot(greatest(1.0f - cosTheta * cosTheta, 0.0f));
+  precise float sinSquared = 1.0f - cosTheta * cosTheta;
+  precise float sinTheta = squareRoot(greatest(sinSquared, 0.0f));
   precise SinCos azimuth = sinCosTurns(v);
   precise vec3 result = vec3(azimuth.cosine * sinTheta, azimuth.sine * sinTheta, cosTheta);
   return result;
@@ -51,7 +52,8 @@ float pdfCosineHemisphere(float cosTheta) {
 // The height is passed instead of the cosine since 1 - cos cancels for narrow cones.
 vec3 sampleCone(float height, float u, float v) {
   precise float drop = u * height;
-  precise float sinTheta = squareRoot(greatest(drop * (2.0f - drop), 0.0f));
+  precise float sinSquared = drop * (2.0f - drop);
+  precise float sinTheta = squareRoot(greatest(sinSquared, 0.0f));
   precise SinCos azimuth = sinCosTurns(v);
   precise vec3 result =
       vec3(azimuth.cosine * sinTheta, azimuth.sine * sinTheta, 1.0f - drop);
@@ -79,8 +81,10 @@ vec3 sampleDisk(float u, float v) {
 vec3 sampleGgxNormal(float alpha, float u, float v) {
   precise float squared = alpha * alpha;
   precise float below = (1.0f - u) + u * squared;
-  precise float cosTheta = squareRoot(divide(1.0f - u, below));
-  precise float sinTheta = squareRoot(divide(u * squared, below));
+  precise float cosAbove = 1.0f - u;
+  precise float sinAbove = u * squared;
+  precise float cosTheta = squareRoot(divide(cosAbove, below));
+  precise float sinTheta = squareRoot(divide(sinAbove, below));
   precise SinCos azimuth = sinCosTurns(v);
   precise vec3 result =
       vec3(azimuth.cosine * sinTheta, azimuth.sine * sinTheta, cosTheta);

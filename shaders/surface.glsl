@@ -25,7 +25,8 @@ float largestCoordinate(vec3 v) {
 }
 
 Surface sphereSurface(Ray ray, float t, Sphere sphere) {
-  precise vec3 outward = normalize3(pointAt(ray, t) - sphere.center);
+  precise vec3 fromCenter = pointAt(ray, t) - sphere.center;
+  precise vec3 outward = normalize3(fromCenter);
   precise vec3 position = sphere.center + outward * sphere.radius;
   precise float offset = (largestCoordinate(sphere.center) + sphere.radius) * kOffsetScale;
   precise Surface result = Surface(position, outward, offset);
@@ -39,7 +40,8 @@ struct FaceChoice {
 };
 
 FaceChoice closerFace(FaceChoice best, float t, float planeT, vec3 normal) {
-  precise float error = absolute(planeT - t);
+  precise float difference = planeT - t;
+  precise float error = absolute(difference);
   precise bool better = error < best.error;
   precise FaceChoice result =
       FaceChoice(select(better, error, best.error), select(better, normal, best.normal));
@@ -85,9 +87,12 @@ Surface boxSurface(Ray ray, float t, Box box) {
 // a point that lies near none has no normal (NaN).
 vec3 reportBoxNormal(vec3 p, vec3 center, vec3 halfSize) {
   precise vec3 from = p - center;
-  precise float gapX = absolute(absolute(from.x) - halfSize.x);
-  precise float gapY = absolute(absolute(from.y) - halfSize.y);
-  precise float gapZ = absolute(absolute(from.z) - halfSize.z);
+  precise float beyondX = absolute(from.x) - halfSize.x;
+  precise float beyondY = absolute(from.y) - halfSize.y;
+  precise float beyondZ = absolute(from.z) - halfSize.z;
+  precise float gapX = absolute(beyondX);
+  precise float gapY = absolute(beyondY);
+  precise float gapZ = absolute(beyondZ);
   precise float x = select(gapX < 1e-4f, select(from.x < 0.0f, -1.0f, 1.0f), 0.0f);
   precise float y = select(gapY < 1e-4f, select(from.y < 0.0f, -1.0f, 1.0f), 0.0f);
   precise float z = select(gapZ < 1e-4f, select(from.z < 0.0f, -1.0f, 1.0f), 0.0f);
@@ -115,14 +120,16 @@ Surface orientedBoxSurface(Ray ray, float t, OrientedBox box) {
   precise vec3 position = box.center + toWorldDirection(box, local.position);
   precise vec3 normal = toWorldDirection(box, local.normal);
   precise float reach = largestCoordinate(box.center) + largestCoordinate(box.halfSize) * 2.0f;
-  precise float offset = select(kIntersectorReport, kReportOffset, reach * kOffsetScale);
+  precise float scaled = reach * kOffsetScale;
+  precise float offset = select(kIntersectorReport, kReportOffset, scaled);
   precise Surface result = Surface(position, normal, offset);
   return result;
 }
 
 Surface planeSurface(Ray ray, float t, Plane plane) {
   precise vec3 p = pointAt(ray, t);
-  precise vec3 position = p - plane.normal * dot3(p - plane.point, plane.normal);
+  precise vec3 fromPlane = p - plane.point;
+  precise vec3 position = p - plane.normal * dot3(fromPlane, plane.normal);
   precise float reach = greatest(largestCoordinate(position), largestCoordinate(plane.point));
   precise Surface result = Surface(position, plane.normal, reach * kOffsetScale);
   return result;

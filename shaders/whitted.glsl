@@ -14,7 +14,8 @@ vec3 localIllumination(vec3 origin, vec3 normal, vec3 d, LocalShading material, 
     precise float u = noise(key, bounce, dimension);
     precise float v = noise(key, bounce, dimension + 1);
     precise LightSample light = sampleLight(fetchLight(i), origin, u, v);
-    precise vec3 halfway = normalize3(light.direction - d);
+    precise vec3 bisector = light.direction - d;
+    precise vec3 halfway = normalize3(bisector);
     precise float lambert = greatest(dot3(normal, light.direction), 0.0f);
     precise float highlight = power(dot3(halfway, normal), material.exponent);
     precise vec3 diffuse = material.albedo * lambert;

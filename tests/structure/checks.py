@@ -17,6 +17,8 @@ FORBIDDEN = ("acos acosh all any asin asinh atan atanh ceil clamp cos cosh cross
              "step tan tanh texture textureLod transpose trunc dFdx dFdy fwidth interpolateAtCentroid"
              ).split()
 EXACT_TYPES = {"int", "uint", "uvec4", "void", "ivec2"}
+FLOAT_TYPES = {"float", "vec2", "vec3", "vec4"}
+INTEGER_BUILTINS = {"floatBitsToInt", "floatBitsToUint"}
 
 
 def shader_paths(root):
@@ -27,11 +29,16 @@ def located(root, path, text, at, message):
     return f"{path.relative_to(root)}:{text.count(chr(10), 0, at) + 1}: {message}"
 
 
-def integer_structs(root):
-    """Structures without a float, at any depth."""
+def shader_structs(root):
     found = {}
     for path in shader_paths(root):
         found.update({s.name: s for s in shader_text.structs(path.read_text(), path.name)})
+    return found
+
+
+def integer_structs(root):
+    """Structures without a float, at any depth."""
+    found = shader_structs(root)
     exact = set()
     grown = True
     while grown:
@@ -42,9 +49,11 @@ def integer_structs(root):
 
 
 def check_precise(root):
-    """Every local that holds, or was decided by, a float is precise; returns and conditions name
-    such locals instead of computing."""
+    """Every local that holds, or was decided by, a float is precise; returns, conditions and the
+    arguments of functions name such locals instead of computing."""
     exact = EXACT_TYPES | integer_structs(root)
+    integers = integer_names(root, exact)
+    constructors = EXACT_TYPES | FLOAT_TYPES | set(shader_structs(root))
     local = re.compile(r"^[ ]+((?:const |precise )*)(\w+) (\w+)( =|;)", re.M)
     for path in shader_paths(root):
         text = without_comments(path.read_text())
@@ -61,6 +70,7 @@ def check_precise(root):
                     yield located(root, path, text, start + match.start(2),
                                   f"{kind} {name} in {function.name} is not precise")
             yield from check_computed(root, path, text, start, function, floats, exact)
+            yield from check_arguments(root, path, text, start, function, integers, constructors)
 
 
 def check_computed(root, path, text, start, function, floats, exact):
@@ -75,6 +85,66 @@ def check_computed(root, path, text, start, function, floats, exact):
         if arithmetic.search(expression) and (names & floats or literal):
             yield located(root, path, text, start + match.start(),
                           f"{word} in {function.name} computes with floats outside a precise local")
+
+
+def integer_names(root, exact):
+    """Functions, members and globals that hold no float wherever the name is used."""
+    kinds = {}
+    for path in shader_paths(root):
+        text = path.read_text()
+        for kind, name in re.findall(r"^(?:const|uniform) (\w+) (\w+)", text, re.M):
+            kinds.setdefault(name, set()).add(kind)
+        for function in glsl_functions(text, path.name):
+            kinds.setdefault(function.name, set()).add(function.result)
+    for structure in shader_structs(root).values():
+        for field in structure.fields:
+            kinds.setdefault("." + field.name, set()).add(field.type)
+    found = {name for name, types in kinds.items() if types <= exact}
+    return found | INTEGER_BUILTINS | EXACT_TYPES
+
+
+def enclosing_calls(body):
+    """For each place of the body the names before the brackets that enclose it; a bracket of
+    grouping has an empty name."""
+    open_calls, found = [], []
+    for at, char in enumerate(body):
+        if char == ")":
+            open_calls.pop()
+        found.append(tuple(open_calls))
+        if char == "(":
+            open_calls.append(re.search(r"\w*$", body[:at]).group(0))
+    return found
+
+
+def check_arguments(root, path, text, start, function, integers, constructors):
+    """Arithmetic with floats within the brackets of a call. An operator works on integers where the
+    operand on either side of it is one, since the shaders convert no numbers silently."""
+    body = function.body
+    own = {p.name for p in function.parameters if p.type in EXACT_TYPES}
+    own |= set(re.findall(r"\b(?:int|uint) (\w+)", body))
+    calls = enclosing_calls(body)
+    no_calls = {"", "if", "for", "while", "return"} | constructors
+
+    def is_integer(operand):
+        name = operand.rsplit(".", 1)
+        return (re.fullmatch(r"\d+u?", operand) or operand in own | integers
+                or (len(name) == 2 and "." + name[1] in integers))
+
+    for operator in re.finditer(r"(?<=\s)[-+*/](?=\s)", body):
+        at = operator.start()
+        called = [name for name in calls[at] if name not in no_calls]
+        if not called:
+            continue
+        left = body[:at].rstrip()
+        if left.endswith(")"):
+            opening = max(i for i in range(len(left) - 1)
+                          if body[i] == "(" and calls[i] == calls[len(left) - 1])
+            left = left[:opening]
+        operands = (re.search(r"[\w.]*$", left), re.match(r"[\w.]*", body[at + 1:].lstrip()))
+        if not any(is_integer(operand.group(0)) for operand in operands):
+            yield located(root, path, text, start + at,
+                          f"an argument of {called[-1]} in {function.name} computes with floats "
+                          "outside a precise local")
 
 
 def check_builtins(root):

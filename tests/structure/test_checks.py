@@ -68,6 +68,25 @@ class Planted(unittest.TestCase):
                    "  precise float result = x;\n  if (x * x > 1.0f) {\n    return x;\n  }")
         self.assert_found("precise", "if in squareRoot computes")
 
+    def test_argument_that_computes(self):
+        for name, old, new, message in (
+                ("math", "floor(raised)", "floor(quarters + 0.5f)", "floor in sinCosTurns"),
+                ("math", "exp2Of(exponent)", "exp2Of(y * log2Of(x))", "exp2Of in power"),
+                ("math", "dot3(v, v)", "dot3(v, (v + v) * (v - v))", "dot3 in length3"),
+                ("material", "normalize3(bisector)", "normalize3(i - d)",
+                 "normalize3 in evaluateGgx"),
+                ("surface", "vec3(x, y, z)", "vec3(x * y, y, z)", "normalize3 in reportBoxNormal"),
+                ("light", "divide(r2, squared)", "divide(r2,\n light.radius * r2)",
+                 "divide in sampleSphereLight")):
+            line = self.plant(f"shaders/{name}.glsl", old, new) + new.count("\n")
+            self.assert_found("precise", f"shaders/{name}.glsl:{line}: an argument of {message}")
+            shutil.copy(ROOT / f"shaders/{name}.glsl", self.copy / f"shaders/{name}.glsl")
+
+    def test_argument_that_computes_with_integers(self):
+        self.plant("shaders/path_state.glsl", "noise(key, 0, kDimensionPixelX)",
+                   "noise(key, int(column) + x, (x + 1) * kDimensionPixelX)")
+        self.assertEqual(list(CHECKS["precise"](self.copy)), [])
+
     def test_forbidden_builtins(self):
         for call in ("dot(a, b)", "mix(a, b, c)", "max(a, b)", "inversesqrt(a)", "fract(a)"):
             line = self.plant("shaders/math.glsl", "  precise float result = a / b;",
