@@ -38,6 +38,7 @@ std::span<const float> ArmRun::renderNext() {
   seconds_ += arm_.renderer->renderFrame(firstSample, options.passes, sums_);
   film_.addFrame(sums_, options.passes, firstSample);
   ++framesDone_;
+  if (options.targetError > 0) relativeError_ = relativeStandardError(film_);
   return sums_;
 }
 
@@ -45,9 +46,7 @@ std::optional<StopReason> ArmRun::stopRule() const {
   const RenderOptions& options = arm_.options;
   if (framesDone_ >= plannedFrames(options)) return StopReason::samples;
   if (options.timeLimit > 0 && seconds_ >= options.timeLimit) return StopReason::time;
-  if (options.targetError > 0 && relativeStandardError(film_) <= options.targetError) {
-    return StopReason::targetError;
-  }
+  if (relativeError_ <= options.targetError) return StopReason::targetError;
   return std::nullopt;
 }
 

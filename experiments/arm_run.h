@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,8 @@ class ArmRun {
 
   std::int64_t framesDone() const { return framesDone_; }
   double seconds() const { return seconds_; }  ///< spent on sampling, without the warm-up
+  /// Relative standard error so far; infinite if the options bound none.
+  double relativeError() const { return relativeError_; }
   const Film& film() const { return film_; }
   Film takeFilm() { return std::move(film_); }
 
@@ -46,6 +49,7 @@ class ArmRun {
   std::vector<float> sums_;
   std::int64_t framesDone_ = 0;
   double seconds_ = 0;
+  double relativeError_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace twintrace

@@ -18,6 +18,10 @@ std::int64_t samplesOf(const RenderOptions& options) {
   return plannedFrames(options) * options.passes;
 }
 
+bool drawFromSameSequence(const RenderOptions& a, const RenderOptions& b) {
+  return a.seed == b.seed && a.noise == b.noise && a.firstSample == b.firstSample;
+}
+
 void fitArm(RenderOptions& options, const char* name, std::vector<std::string>& notes) {
   if (plannedFrames(options) >= kFewestFrames) return;
   if (options.spp < kFewestFrames) {
@@ -61,11 +65,12 @@ class UnpairedRun {
 
 class Comparer {
  public:
-  Comparer(Arm& a, Arm& b, const ComparisonSettings& settings, const JobControl& control)
-      : a_(a), b_(b), settings_(settings), control_(control) {}
+  Comparer(Arm& a, Arm& b, bool paired, const ComparisonSettings& settings,
+           const JobControl& control)
+      : a_(a), b_(b), paired_(paired), settings_(settings), control_(control) {}
 
   ArmsComparison run() {
-    ArmsComparison result = isPaired({a_.options, b_.options}) ? runPaired() : runUnpaired();
+    ArmsComparison result = paired_ ? runPaired() : runUnpaired();
     result.comparison.family.alpha = settings_.alpha;
     result.comparison.equivalence.bound = settings_.bound;
     repeat(result);
@@ -76,7 +81,7 @@ class Comparer {
   ArmsComparison runPaired() {
     ArmRun runA(a_);
     ArmRun runB(b_);
-    FrameDifferences differences(a_.options, b_.options);
+    FrameDifferences differences(a_.options.width, a_.options.height);
     runA.warmUp();
     runB.warmUp();
     std::optional<StopReason> stop;
@@ -126,8 +131,7 @@ class Comparer {
     };
     const double doneA = doneFraction(runA, a_.options);
     const double doneB = doneFraction(runB, b_.options);
-    const bool paired = isPaired({a_.options, b_.options});
-    const double done = paired ? std::max(doneA, doneB) : 0.5 * (doneA + doneB);
+    const double done = paired_ ? std::max(doneA, doneB) : 0.5 * (doneA + doneB);
     control_.report({done / settings_.repeats,
                      samples(runA, a_.options) + samples(runB, b_.options),
                      runA.seconds() + runB.seconds()});
@@ -149,12 +153,6 @@ class Comparer {
     comparison.paired = true;
     comparison.differingPixels = difference.differingPixels;
     comparison.verdict = pairedVerdict(difference.differingPixels);
-    if (a_.options.passes != b_.options.passes) {
-      comparison.notes.push_back(
-          fmt::format("{} and {} samples per frame: frames are summed in float, so equal samples "
-                      "may give other film sums",
-                      a_.options.passes, b_.options.passes));
-    }
     if (!difference.first) {
       comparison.first.reset();
       return;
@@ -203,6 +201,7 @@ class Comparer {
 
   Arm& a_;
   Arm& b_;
+  bool paired_;
   const ComparisonSettings& settings_;
   const JobControl& control_;
 };
@@ -212,13 +211,18 @@ class Comparer {
 bool isPaired(const ArmOptions& options) {
   const RenderOptions& a = options.a;
   const RenderOptions& b = options.b;
-  return a.seed == b.seed && a.noise == b.noise && a.firstSample == b.firstSample &&
-         samplesOf(a) == samplesOf(b);
+  return drawFromSameSequence(a, b) && a.passes == b.passes && samplesOf(a) == samplesOf(b);
 }
 
 std::vector<std::string> fitForTests(ArmOptions& options) {
   std::vector<std::string> notes;
   if (isPaired(options)) return notes;
+  if (options.a.passes != options.b.passes && drawFromSameSequence(options.a, options.b)) {
+    notes.push_back(
+        fmt::format("passes differ ({} and {}): frames are summed differently, so the arms are "
+                    "tested as unpaired",
+                    options.a.passes, options.b.passes));
+  }
   fitArm(options.a, "a", notes);
   fitArm(options.b, "b", notes);
   return notes;
@@ -236,9 +240,9 @@ double ArmOutcome::bestSeconds() const {
   return *std::min_element(seconds.begin(), seconds.end());
 }
 
-ArmsComparison compareArms(Arm& a, Arm& b, const ComparisonSettings& settings,
+ArmsComparison compareArms(Arm& a, Arm& b, bool paired, const ComparisonSettings& settings,
                            const JobControl& control) {
-  return Comparer(a, b, settings, control).run();
+  return Comparer(a, b, paired, settings, control).run();
 }
 
 }  // namespace twintrace

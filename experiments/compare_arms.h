@@ -14,13 +14,13 @@ struct ArmOptions {
   RenderOptions b;
 };
 
-/// Sample range as a whole number of frames, seed and noise are equal: the arms draw the same
-/// samples and their bits decide.
+/// Sample range as a whole number of frames, passes, seed and noise are equal: the arms draw the
+/// same samples and their bits decide. Unequal passes round sums of the same samples differently.
 bool isPaired(const ArmOptions& options);
 
 /// Makes unpaired arms fit for the tests, which need 32 batches each: lowers passes where they make
 /// fewer frames, and raises spp below 32. Paired arms are left as they are.
-/// @return what was changed, in words.
+/// @return what was changed, and that nothing but passes makes the arms unpaired, in words.
 std::vector<std::string> fitForTests(ArmOptions& options);
 
 /// @throws UsageError unless both films have the same size, which the message gives.
@@ -44,7 +44,8 @@ struct ArmsComparison {
 /// soon as a stop rule holds for one, so that their samples stay the same; unpaired arms end each
 /// by its own rule, but not before their batches are complete. An interrupt ends the run after the
 /// frames under way; what can't be judged then is inconclusive.
-ArmsComparison compareArms(Arm& a, Arm& b, const ComparisonSettings& settings,
+/// @param paired isPaired() of the arms as the user put them, before fitForTests().
+ArmsComparison compareArms(Arm& a, Arm& b, bool paired, const ComparisonSettings& settings,
                            const JobControl& control);
 
 }  // namespace twintrace

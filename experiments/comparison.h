@@ -61,8 +61,8 @@ void addZMap(Comparison& comparison, const ImageEstimate& a, const ImageEstimate
 /// For unpaired pictures of the same seed and noise: samples in common correlate them, so that
 /// their difference varies less than the tests assume.
 inline constexpr const char* kSharedSeedNote =
-    "the pictures share their seed but not all samples; the tests take them as independent and are "
-    "less sensitive where samples are in common";
+    "the pictures share their seed; the tests take them as independent and are less sensitive "
+    "where samples are in common";
 
 /// False discovery rate of the z map's rejected fraction.
 inline constexpr double kZMapRate = 0.01;

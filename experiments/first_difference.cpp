@@ -20,11 +20,9 @@ std::size_t indexOf(const PixelPosition& pixel, int width) {
 
 }  // namespace
 
-FrameDifferences::FrameDifferences(const RenderOptions& a, const RenderOptions& b)
-    : width_(a.width) {
-  if (a.passes != b.passes) return;
-  firstFrame_.assign(static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height), kNone);
-}
+FrameDifferences::FrameDifferences(int width, int height)
+    : width_(width),
+      firstFrame_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNone) {}
 
 void FrameDifferences::add(std::span<const float> a, std::span<const float> b) {
   for (std::size_t pixel = 0; pixel < firstFrame_.size(); ++pixel) {
@@ -37,7 +35,7 @@ void FrameDifferences::add(std::span<const float> a, std::span<const float> b) {
 
 std::optional<std::uint32_t> FrameDifferences::firstFrame(const PixelPosition& pixel) const {
   const std::size_t index = indexOf(pixel, width_);
-  if (index >= firstFrame_.size() || firstFrame_[index] == kNone) return std::nullopt;
+  if (firstFrame_[index] == kNone) return std::nullopt;
   return firstFrame_[index];
 }
 

@@ -15,8 +15,7 @@ namespace twintrace {
 /// Remembers for each pixel the first frame in which two paired arms differ.
 class FrameDifferences {
  public:
-  /// Arms with unequal passes have no frames in common: nothing is remembered.
-  FrameDifferences(const RenderOptions& a, const RenderOptions& b);
+  FrameDifferences(int width, int height);
 
   /// Adds the next frame of both arms.
   void add(std::span<const float> a, std::span<const float> b);

@@ -7,7 +7,9 @@ namespace twintrace {
 double doneFraction(const ArmRun& run, const RenderOptions& options) {
   const double byFrames = double(run.framesDone()) / double(plannedFrames(options));
   const double byTime = options.timeLimit > 0 ? run.seconds() / options.timeLimit : 0.0;
-  return std::min(1.0, std::max(byFrames, byTime));
+  // The error falls with the root of the samples.
+  const double errorRatio = options.targetError / run.relativeError();
+  return std::min(1.0, std::max({byFrames, byTime, errorRatio * errorRatio}));
 }
 
 RenderResult renderFilm(Arm& arm, const JobControl& control) {

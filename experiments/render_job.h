@@ -17,7 +17,7 @@ struct RenderResult {
 /// least one frame.
 RenderResult renderFilm(Arm& arm, const JobControl& control);
 
-/// Share of a run that is done, by frames or by time, whichever is further.
+/// Share of a run that is done, by frames, time or target error, whichever is furthest.
 double doneFraction(const ArmRun& run, const RenderOptions& options);
 
 }  // namespace twintrace

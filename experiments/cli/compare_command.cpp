@@ -62,12 +62,13 @@ class CompareCommand {
     }
     const Scene scene = readScene(inputs_.front());
     ArmOptions options = armOptions(scene.render);
+    const bool paired = isPaired(options);
     std::vector<std::string> notes = fitForTests(options);
     prepareOutputs();
     Arm a = openArm(scene, options.a);
     Arm b = openArm(scene, options.b);
     bool interrupted = false;
-    ArmsComparison result = render(a, b, interrupted);
+    ArmsComparison result = render(a, b, paired, interrupted);
     auto& allNotes = result.comparison.notes;
     allNotes.insert(allNotes.begin(), notes.begin(), notes.end());
 
@@ -99,23 +100,33 @@ class CompareCommand {
 
   /// An arm has the options of both, then its own; without --backend, a is cpu and b is gpu.
   ArmOptions armOptions(const RenderOptions& ofScene) const {
-    ArmOptions options;
-    options.a = applyOptions(ofScene, given_);
-    options.b = options.a;
-    if (!given_.has("backend")) {
-      options.a.backend = BackEnd::cpu;
-      options.b.backend = BackEnd::gpu;
-    }
-    setArm("--a", options.a, listA_);
-    setArm("--b", options.b, listB_);
+    const RenderOptions common = layOptions(ofScene, given_);
+    const GivenOptions givenA = givenFor("cpu", listA_);
+    const GivenOptions givenB = givenFor("gpu", listB_);
+    ArmOptions options{setArm("--a", common, givenA), setArm("--b", common, givenB)};
     checkArms(options);
+    const bool liftA = stopRuleDecides(options.a, givenA);
+    const bool liftB = stopRuleDecides(options.b, givenB);
+    // The limits must not unpair arms: the first rule that holds stops both.
+    const bool liftBoth = isPaired(options) && (liftA || liftB);
+    if (liftA || liftBoth) liftSampleLimit(options.a);
+    if (liftB || liftBoth) liftSampleLimit(options.b);
     return options;
   }
 
-  static void setArm(const char* name, RenderOptions& options, const std::string& list) {
+  GivenOptions givenFor(const char* backEnd, const std::string& armList) const {
+    GivenOptions given = given_;
+    if (!given.has("backend")) given.list.emplace_back("backend", backEnd);
+    given.armList = armList;
+    return given;
+  }
+
+  static RenderOptions setArm(const char* name, const RenderOptions& common,
+                              const GivenOptions& given) {
     try {
-      setOptions(options, list);
+      const RenderOptions options = layOptions(common, given);
       checkOptions(options);
+      return options;
     } catch (const UsageError& error) {
       throw UsageError(fmt::format("{}: {}", name, error.what()));
     }
@@ -126,12 +137,12 @@ class CompareCommand {
     checkAnswer(answer_);
   }
 
-  ArmsComparison render(Arm& a, Arm& b, bool& interrupted) const {
+  ArmsComparison render(Arm& a, Arm& b, bool paired, bool& interrupted) const {
     const InterruptScope interrupt;
     ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
     const JobControl control{[&](const JobProgress& state) { display.show(state); },
                              [&] { return interrupt.interrupted(); }};
-    ArmsComparison result = compareArms(a, b, settings_, control);
+    ArmsComparison result = compareArms(a, b, paired, settings_, control);
     interrupted = interrupt.interrupted();
     return result;
   }

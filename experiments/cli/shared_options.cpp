@@ -19,16 +19,12 @@ void checkShaderDirectory(const std::string& directory) {
   throw UsageError("shader-dir: found " + quote(directory) + ", expected a directory");
 }
 
-void liftSampleLimit(RenderOptions& options) {
-  const std::int64_t most = std::int64_t{kMaxFrames} * options.passes;
-  options.spp = static_cast<int>(std::min<std::int64_t>(most, kMaxSpp));
-}
-
 }  // namespace
 
 bool GivenOptions::has(std::string_view name) const {
-  return std::any_of(list.begin(), list.end(),
-                     [name](const auto& option) { return option.first == name; });
+  const bool alone = std::any_of(list.begin(), list.end(),
+                                 [name](const auto& option) { return option.first == name; });
+  return alone || ("," + armList).find("," + std::string(name) + "=") != std::string::npos;
 }
 
 void addRenderOptions(CLI::App& command, GivenOptions& given) {
@@ -51,13 +47,28 @@ void addAnswerOptions(CLI::App& command, AnswerOptions& options) {
   command.add_flag("--quiet", options.quiet, "neither progress nor summary");
 }
 
-RenderOptions applyOptions(RenderOptions options, const GivenOptions& given) {
+RenderOptions layOptions(RenderOptions options, const GivenOptions& given) {
   for (const auto& [name, value] : given.list) setOption(options, name, value);
+  setOptions(options, given.armList);
   checkShaderDirectory(given.shaderDirectory);
   options.shaderDirectory = given.shaderDirectory;
+  return options;
+}
+
+bool stopRuleDecides(const RenderOptions& options, const GivenOptions& given) {
   const bool ruleGiven = (given.has("time") && options.timeLimit > 0) ||
                          (given.has("target-error") && options.targetError > 0);
-  if (ruleGiven && !given.has("spp")) liftSampleLimit(options);
+  return ruleGiven && !given.has("spp");
+}
+
+void liftSampleLimit(RenderOptions& options) {
+  const std::int64_t most = std::int64_t{kMaxFrames} * options.passes;
+  options.spp = static_cast<int>(std::min<std::int64_t>(most, kMaxSpp));
+}
+
+RenderOptions applyOptions(const RenderOptions& ofScene, const GivenOptions& given) {
+  RenderOptions options = layOptions(ofScene, given);
+  if (stopRuleDecides(options, given)) liftSampleLimit(options);
   return options;
 }
 

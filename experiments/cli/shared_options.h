@@ -16,6 +16,7 @@ namespace twintrace {
 struct GivenOptions {
   std::vector<std::pair<std::string, std::string>> list;  ///< name and value
   std::string shaderDirectory;
+  std::string armList;  ///< `--a` or `--b` of compare, laid over `list`
 
   bool has(std::string_view name) const;
   bool empty() const { return list.empty() && shaderDirectory.empty(); }
@@ -27,9 +28,18 @@ void addRenderOptions(CLI::App& command, GivenOptions& given);
 /// Adds `--json` and `--quiet`.
 void addAnswerOptions(CLI::App& command, AnswerOptions& options);
 
-/// Lays the given options over a scene's. A stop rule without --spp lifts the scene's limit on
-/// samples, so that the rule decides.
+/// Lays the given options over a scene's.
 /// @throws UsageError as setOption does, and for a shader directory that is none.
-RenderOptions applyOptions(RenderOptions options, const GivenOptions& given);
+RenderOptions layOptions(RenderOptions options, const GivenOptions& given);
+
+/// Whether a stop rule is given without spp, so that the scene's limit on samples must not end the
+/// run.
+bool stopRuleDecides(const RenderOptions& options, const GivenOptions& given);
+
+/// Sets as many samples as a film holds.
+void liftSampleLimit(RenderOptions& options);
+
+/// layOptions() with the limit lifted where a stop rule decides.
+RenderOptions applyOptions(const RenderOptions& ofScene, const GivenOptions& given);
 
 }  // namespace twintrace

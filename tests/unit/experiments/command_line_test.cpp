@@ -13,7 +13,7 @@ TEST_CASE("The program without a command exits with 2", "[cli]") {
   CHECK_THAT(result.err, Contains("twintrace: found no command, expected render, compare"));
 }
 
-TEST_CASE("--help and --version exit with 0", "[cli]") {
+TEST_CASE("The program's --help and --version exit with 0", "[cli]") {
   const TemporaryDirectory directory;
   CHECK(runProgram(directory, {"--help"}).exitCode == 0);
   CHECK(runProgram(directory, {"--version"}).out == "twintrace 0.1.0\n");

@@ -10,11 +10,22 @@ TEST_CASE("Arms are paired if seed, noise and samples are equal", "[experiments]
   options.b.backend = BackEnd::gpu;
   options.b.maths = Maths::native;
   CHECK(isPaired(options));
-  // 64 samples in frames of 16 or of 8 are the same samples, in frames of 48 they are 96.
-  options.b.passes = 16;
+  // 61 and 64 samples are both 4 frames of 16.
+  options.a.passes = options.b.passes = 16;
+  options.b.spp = 61;
   CHECK(isPaired(options));
-  options.b.passes = 48;
+}
+
+TEST_CASE("Arms whose frames are summed differently are unpaired, and a note says so",
+          "[experiments]") {
+  ArmOptions options;
+  options.a.spp = options.b.spp = 512;
+  options.b.passes = 16;
   CHECK_FALSE(isPaired(options));
+  const auto notes = fitForTests(options);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0] == "passes differ (1 and 16): frames are summed differently, so the arms are "
+                    "tested as unpaired");
 }
 
 TEST_CASE("Another seed, noise, first sample or spp makes arms unpaired", "[experiments]") {

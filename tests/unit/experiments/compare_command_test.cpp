@@ -162,6 +162,30 @@ TEST_CASE("A paired compare with a time limit keeps the samples of both arms equ
   CHECK(json["arms"]["a"]["stopped_by"] == "time");
 }
 
+TEST_CASE("A stop rule of one arm lifts the limit of both paired arms", "[cli]") {
+  const TemporaryDirectory directory;
+  const auto json =
+      runProgram(directory, onCornell("compare", {"--a", "backend=cpu,time=0.3", "--b",
+                                                  "backend=cpu,lanes=scalar", "--json", "-"}))
+          .json();
+  CHECK(json["paired"] == true);
+  CHECK(json["verdict"] == "identical");
+  CHECK(json["arms"]["a"]["samples"] == json["arms"]["b"]["samples"]);
+  CHECK(json["arms"]["a"]["samples"] != "0-63");
+  CHECK(json["arms"]["a"]["stopped_by"] == "time");
+}
+
+TEST_CASE("Arms with unequal passes and a time limit are no false difference", "[cli]") {
+  const TemporaryDirectory directory;
+  const auto json =
+      runProgram(directory, onCornell("compare", {"--backend", "cpu", "--a", "passes=2", "--b",
+                                                  "passes=8", "--time", "0.2", "--json", "-"}))
+          .json();
+  CHECK(json["paired"] == false);
+  CHECK(json["verdict"] != "different");
+  CHECK_THAT(json["notes"][0].get<std::string>(), Contains("passes differ (2 and 8)"));
+}
+
 TEST_CASE("compare --repeats times each arm as often and reports the fastest", "[cli]") {
   const TemporaryDirectory directory;
   const auto json =

@@ -79,7 +79,7 @@ TEST_CASE("EXR metadata holds only what determines the bits", "[cli]") {
   CHECK(exrOf({"--maths", "native"}) != plain);
 }
 
-TEST_CASE("--time stops after the time, whatever spp the scene has", "[cli]") {
+TEST_CASE("render --time stops after the time, whatever spp the scene has", "[cli]") {
   const TemporaryDirectory directory;
   const auto json =
       runProgram(directory, onCornell("render", {"--time", "0.3", "--json", "-"})).json();
@@ -88,7 +88,7 @@ TEST_CASE("--time stops after the time, whatever spp the scene has", "[cli]") {
   CHECK(json["samples_per_pixel"] > 64);
 }
 
-TEST_CASE("--spp limits the samples of a run with a stop rule", "[cli]") {
+TEST_CASE("render --spp limits the samples of a run with a stop rule", "[cli]") {
   const TemporaryDirectory directory;
   const auto json =
       runProgram(directory, onCornell("render", {"--time", "100", "--spp", "32", "--json", "-"}))
@@ -97,7 +97,7 @@ TEST_CASE("--spp limits the samples of a run with a stop rule", "[cli]") {
   CHECK(json["samples_per_pixel"] == 32);
 }
 
-TEST_CASE("--target-error stops at the estimated error", "[cli]") {
+TEST_CASE("render --target-error stops at the estimated error", "[cli]") {
   const TemporaryDirectory directory;
   const auto json =
       runProgram(directory, onCornell("render", {"--target-error", "0.01", "--json", "-"})).json();
