@@ -3,6 +3,7 @@
 // polar angle, no lobe is divided by its chance, light points come from one octant of the sphere.
 #pragma once
 
+#include "light.glsl"
 #include "vertex.glsl"
 
 struct RandomPair {

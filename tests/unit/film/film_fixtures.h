@@ -4,6 +4,8 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <unistd.h>
+
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ class TemporaryDirectory {
  public:
   TemporaryDirectory() {
     std::random_device random;
-    path_ = std::filesystem::temp_directory_path() / ("twintrace-film-" + std::to_string(random()));
+    path_ = std::filesystem::temp_directory_path() / ("twintrace-film-" + std::to_string(getpid()) + "-" + std::to_string(random()));
     std::filesystem::create_directory(path_);
   }
   ~TemporaryDirectory() { std::filesystem::remove_all(path_); }

@@ -1,5 +1,7 @@
 #include "gpu/program_cache.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -31,7 +33,7 @@ class TemporaryDirectory {
 
  private:
   std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / "twintrace_program_cache_test" / "programs";
+      std::filesystem::temp_directory_path() / ("twintrace_program_cache_test_" + std::to_string(getpid())) / "programs";
 };
 
 void flipBit(const std::filesystem::path& file, std::streamoff at) {

@@ -1,5 +1,7 @@
 #include "gpu/shader_source.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -150,7 +152,7 @@ TEST_CASE("ShaderLibrary refuses an override of an unknown file", "[unit]") {
 }
 
 TEST_CASE("ShaderLibrary reads a directory anew at each request", "[unit]") {
-  const auto directory = std::filesystem::temp_directory_path() / "twintrace_shader_source_test";
+  const auto directory = std::filesystem::temp_directory_path() / ("twintrace_shader_source_test_" + std::to_string(getpid()));
   std::filesystem::create_directories(directory);
   const ShaderLibrary library(directory);
   std::ofstream(directory / "x.glsl") << "first";
