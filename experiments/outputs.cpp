@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
-#include "common/base/error.h"
 #include "common/base/wording.h"
 #include "common/film/atomic_file.h"
 #include "common/film/sheet.h"
@@ -47,6 +47,7 @@ void checkWritable(const std::string& path) {
   if (!directory.empty() && !fs::is_directory(directory, error)) {
     failToWrite(path, "there is no directory " + quote(directory.string()));
   }
+  if (isDevice(path)) return;
   const AtomicFile trial(path);
   std::ofstream stream(trial.partialPath());
   stream << '\n';
@@ -61,11 +62,30 @@ void prepareDirectory(const std::string& path) {
   checkWritable((fs::path(path) / "compare.json").string());
 }
 
+void checkDistinct(const std::vector<std::string>& paths) {
+  std::set<fs::path> files;
+  for (const std::string& path : paths) {
+    if (isDevice(path)) continue;
+    std::error_code error;
+    fs::path file = fs::weakly_canonical(fs::absolute(path), error);
+    if (error) file = fs::path(path).lexically_normal();
+    if (files.insert(file).second) continue;
+    throw UsageError("found the output " + quote(path) + " twice, expected a file for each output");
+  }
+}
+
 void checkExtension(const std::string& path, const std::vector<std::string>& extensions) {
   const std::string extension = fs::path(path).extension().string();
   if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return;
   throw UsageError("found the output " + quote(path) + ", expected a name that ends in " +
                    oneOf(extensions));
+}
+
+void OutputAttempts::finish() const {
+  if (failures_.empty()) return;
+  std::string all;
+  for (const std::string& failure : failures_) all += (all.empty() ? "" : "\n") + failure;
+  throw IoError(all);
 }
 
 void writeText(const std::string& path, const std::string& text) {
@@ -77,17 +97,21 @@ void writeText(const std::string& path, const std::string& text) {
   file.commit();
 }
 
-void writeComparisonPictures(const std::string& directory, const Comparison& comparison,
-                             const std::vector<std::string>& header, const std::string& nameA,
-                             const std::string& nameB) {
-  const fs::path root(directory);
-  writeExr((root / "a.exr").string(), comparison.a);
-  writeExr((root / "b.exr").string(), comparison.b);
-  writeExr((root / "diff.exr").string(), differenceContent(comparison));
-  writePng((root / "a.png").string(), comparison.a.image);
-  writePng((root / "b.png").string(), comparison.b.image);
-  writeSheet((root / "sheet.png").string(), {header, nameA, nameB, comparison.a.image,
-                                             comparison.b.image, comparison.ulp, comparison.z});
+void writeComparisonPictures(OutputAttempts& outputs, const std::string& directory,
+                             const Comparison& comparison, const std::vector<std::string>& header,
+                             const std::string& nameA, const std::string& nameB) {
+  const auto path = [&](const char* name) { return (fs::path(directory) / name).string(); };
+  const ExrContent& a = comparison.a;
+  const ExrContent& b = comparison.b;
+  outputs.attempt([&] { writeExr(path("a.exr"), a); });
+  outputs.attempt([&] { writeExr(path("b.exr"), b); });
+  outputs.attempt([&] { writeExr(path("diff.exr"), differenceContent(comparison)); });
+  outputs.attempt([&] { writePng(path("a.png"), a.image); });
+  outputs.attempt([&] { writePng(path("b.png"), b.image); });
+  outputs.attempt([&] {
+    writeSheet(path("sheet.png"),
+               {header, nameA, nameB, a.image, b.image, comparison.ulp, comparison.z});
+  });
 }
 
 }  // namespace twintrace

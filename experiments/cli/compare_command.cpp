@@ -135,6 +135,8 @@ class CompareCommand {
   void prepareOutputs() const {
     if (!directory_.empty()) prepareDirectory(directory_);
     checkAnswer(answer_);
+    if (directory_.empty() || answer_.json.empty() || answer_.json == "-") return;
+    for (const char* name : kComparisonFiles) checkDistinct({outputPath(name), answer_.json});
   }
 
   ArmsComparison render(Arm& a, Arm& b, bool paired, bool& interrupted) const {
@@ -149,13 +151,18 @@ class CompareCommand {
 
   void finish(const Comparison& comparison, const Json& json, const std::string& timesText,
               const ArmNames& names) const {
-    std::string text = verdictText(comparison, settings_) + timesText;
-    if (!directory_.empty()) {
-      writeComparisonPictures(directory_, comparison, sheetHeader(text), names.a, names.b);
-      writeText((std::filesystem::path(directory_) / "compare.json").string(), jsonText(json));
-      text += "pictures in " + directory_ + ": sheet.png shows all\n";
-    }
-    answer(console_, answer_, json, text);
+    const std::string text = verdictText(comparison, settings_) + timesText;
+    OutputAttempts outputs;
+    outputs.attempt([&] { answer(console_, answer_, json, text); });
+    if (directory_.empty()) return outputs.finish();
+    outputs.attempt([&] { writeText(outputPath("compare.json"), jsonText(json)); });
+    writeComparisonPictures(outputs, directory_, comparison, sheetHeader(text), names.a, names.b);
+    outputs.finish();
+    printText(console_, answer_, "pictures in " + directory_ + ": sheet.png shows all\n");
+  }
+
+  std::string outputPath(const char* name) const {
+    return (std::filesystem::path(directory_) / name).string();
   }
 
   static int exitCode(const Comparison& comparison) {

@@ -24,14 +24,19 @@ void checkAnswer(const AnswerOptions& options) {
   if (!options.json.empty() && options.json != "-") checkWritable(options.json);
 }
 
+void printText(const Console& console, const AnswerOptions& options, const std::string& text) {
+  if (!options.quiet && options.json != "-") print(console, text);
+}
+
 void answer(const Console& console, const AnswerOptions& options, const Json& json,
             const std::string& text) {
-  if (options.json == "-") {
-    print(console, jsonText(json));
-    return;
-  }
-  if (!options.json.empty()) writeText(options.json, jsonText(json));
-  if (!options.quiet) print(console, text);
+  OutputAttempts outputs;
+  outputs.attempt([&] { printText(console, options, text); });
+  outputs.attempt([&] {
+    if (options.json == "-") print(console, jsonText(json));
+    else if (!options.json.empty()) writeText(options.json, jsonText(json));
+  });
+  outputs.finish();
 }
 
 void warnOfBadFrames(const Console& console, const std::string& what, const Film& film) {

@@ -22,8 +22,12 @@ struct AnswerOptions {
 /// Checks before the work that the JSON can be written. @throws IoError if not.
 void checkAnswer(const AnswerOptions& options);
 
-/// Writes JSON and the text for people. The text is left out if quiet or if the JSON goes to
-/// standard output, where nothing else may stand then. @throws IoError if one can't be written.
+/// Prints a text for people. It is left out if quiet or if the JSON goes to standard output, where
+/// nothing else may stand then. @throws IoError if it can't be written.
+void printText(const Console& console, const AnswerOptions& options, const std::string& text);
+
+/// Prints the text, then writes the JSON, even if the text could not be written.
+/// @throws IoError if one can't be written.
 void answer(const Console& console, const AnswerOptions& options, const Json& json,
             const std::string& text);
 

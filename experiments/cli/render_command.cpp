@@ -41,9 +41,14 @@ class RenderCommand {
     checkOutputs();
     Arm arm = openArm(scene, options);
     const RenderResult result = render(arm);
-    writeOutputs(result.film);
     warnOfBadFrames(console_, scene.name, result.film);
-    answer(console_, answer_, renderJson(scene, arm, result, outputs()), summary(arm, result));
+    OutputAttempts attempts;
+    attempts.attempt([&] {
+      answer(console_, answer_, renderJson(scene, arm, result, outputs()), summary(arm, result));
+    });
+    writeOutputs(attempts, result.film);
+    attempts.finish();
+    printText(console_, answer_, outputList());
     return result.stoppedBy == StopReason::interrupt ? kInterrupted : kAgree;
   }
 
@@ -57,7 +62,11 @@ class RenderCommand {
   void checkOutputs() const {
     checkExtension(exr_, {".exr"});
     if (!png_.empty()) checkExtension(png_, {".png"});
+    if (!film_.empty()) checkExtension(film_, {".film"});
     for (const std::string& path : outputs()) checkWritable(path);
+    std::vector<std::string> all = outputs();
+    if (answer_.json != "-" && !answer_.json.empty()) all.push_back(answer_.json);
+    checkDistinct(all);
     checkAnswer(answer_);
   }
 
@@ -68,11 +77,12 @@ class RenderCommand {
                             [&] { return interrupt.interrupted(); }});
   }
 
-  void writeOutputs(const Film& film) const {
+  /// The film first: all else can be made from it.
+  void writeOutputs(OutputAttempts& attempts, const Film& film) const {
+    if (!film_.empty()) attempts.attempt([&] { writeFilm(film_, film); });
     const ExrContent content = exrContent(film);
-    writeExr(exr_, content);
-    if (!png_.empty()) writePng(png_, content.image);
-    if (!film_.empty()) writeFilm(film_, film);
+    attempts.attempt([&] { writeExr(exr_, content); });
+    if (!png_.empty()) attempts.attempt([&] { writePng(png_, content.image); });
   }
 
   std::vector<std::string> outputs() const {
@@ -87,11 +97,15 @@ class RenderCommand {
     const RenderOptions& options = arm.options;
     const double samples =
         double(result.samplesPerPixel()) * double(options.width) * double(options.height);
+    return fmt::format("{}x{} pixels, {} samples per pixel in {:.3f} s, {}samples/s{}\n",
+                       options.width, options.height, result.samplesPerPixel(), result.seconds,
+                       shortNumber(samples / result.seconds), stopText(result.stoppedBy));
+  }
+
+  std::string outputList() const {
     std::string files;
     for (const std::string& path : outputs()) files += (files.empty() ? "" : ", ") + path;
-    return fmt::format("{}x{} pixels, {} samples per pixel in {:.3f} s, {}samples/s{}\n{}\n",
-                       options.width, options.height, result.samplesPerPixel(), result.seconds,
-                       shortNumber(samples / result.seconds), stopText(result.stoppedBy), files);
+    return files + "\n";
   }
 
   static std::string stopText(StopReason reason) {

@@ -112,7 +112,7 @@ TEST_CASE("An output that can't be written exits with 4 before the work", "[cli]
   const std::vector<std::vector<std::string>> bad = {{"-o", "nowhere/x.exr"},
                                                      {"-o", "folder.exr"},
                                                      {"--png", "nowhere/x.png"},
-                                                     {"--film", "nowhere/f"},
+                                                     {"--film", "nowhere/f.film"},
                                                      {"--json", "nowhere/j.json"}};
   for (const auto& output : bad) {
     INFO(output[0] << " " << output[1]);
@@ -131,6 +131,26 @@ TEST_CASE("An output with a foreign ending exits with 2", "[cli]") {
   const TemporaryDirectory directory;
   CHECK(runProgram(directory, onCornell("render", {"-o", "x.jpg"})).exitCode == 2);
   CHECK(runProgram(directory, onCornell("render", {"--png", "x.exr"})).exitCode == 2);
+  CHECK(runProgram(directory, onCornell("render", {"--film", "x.exr"})).exitCode == 2);
+}
+
+TEST_CASE("Two outputs with the same name exit with 2", "[cli]") {
+  const TemporaryDirectory directory;
+  const ProgramResult result =
+      runProgram(directory, onCornell("render", {"-o", "x.exr", "--json", "./x.exr"}));
+  CHECK(result.exitCode == 2);
+  CHECK_THAT(result.err, Contains("'./x.exr' twice"));
+  CHECK(runProgram(directory, onCornell("compare", {"--out", "d", "--json", "d/a.exr"})).exitCode ==
+        2);
+}
+
+TEST_CASE("A device stays one when JSON is written to it", "[cli]") {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> render = {"--spp", "1", "--json", "null"};
+  std::filesystem::create_symlink("/dev/null", directory.file("null"));
+  CHECK(runProgram(directory, onCornell("render", render)).exitCode == 0);
+  CHECK(std::filesystem::is_symlink(directory.file("null")));
+  CHECK(std::filesystem::is_character_file("/dev/null"));
 }
 
 TEST_CASE("A missing provider exits with 3", "[cli]") {

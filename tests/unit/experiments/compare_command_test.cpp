@@ -68,6 +68,22 @@ TEST_CASE("compare of equal arms is identical, exits with 0 and writes equal fil
   CHECK(readBytes(directory.file("deep/out/compare.json")) == result.out);
 }
 
+TEST_CASE("compare writes what it can if one output fails", "[cli]") {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directories(directory.file("out/a.exr/full"));
+  std::vector<std::string> words = cpuArms("lanes=wide", "lanes=scalar", {"--out", "out"});
+  words.erase(std::find(words.begin(), words.end(), "--json"),
+              std::find(words.begin(), words.end(), "--a"));
+  const ProgramResult result = runProgram(directory, words);
+  CHECK(result.exitCode == 4);
+  CHECK_THAT(result.err, Contains("out/a.exr: cannot be written"));
+  CHECK_THAT(result.out, Contains("verdict: identical"));
+  for (const char* name : {"compare.json", "b.exr", "sheet.png"}) {
+    INFO(name);
+    CHECK(std::filesystem::exists(directory.file(std::string("out/") + name)));
+  }
+}
+
 TEST_CASE("compare takes the CPU for a and the GPU for b", "[cli][gl]") {
   const TemporaryDirectory directory;
   const ProgramResult result =
