@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "common/film/image.h"
 #include "common/stats/batch_means.h"
@@ -12,9 +14,11 @@ namespace twintrace {
 /// block means only, so memory does not grow with the number of frames.
 class BatchBuilder {
  public:
-  BatchBuilder(int width, int height) : means_(width, height), sum_(width, height) {}
+  BatchBuilder(int width, int height)
+      : means_(width, height), sum_(width, height), goodFrames_(sum_.pixelCount(), 0) {}
 
-  /// Adds the next frame: width * height * 3 sums of `passes` samples.
+  /// Adds the next frame: width * height * 3 sums of `passes` samples. Pixels that a film leaves
+  /// out of its sums are left out here as well.
   void addFrame(std::span<const float> sums, int passes);
 
   /// Whether no frame is left over and there are enough batches for the tests.
@@ -22,11 +26,19 @@ class BatchBuilder {
 
   const BatchMeans& means() const { return means_; }
 
+  /// Frames that were left out, over all pixels.
+  std::uint64_t droppedFrames() const { return droppedFrames_; }
+
   static constexpr std::size_t kFewest = 32;  ///< kMinBatchCount of family_test.h
 
  private:
+  void addPixel(std::span<const float> sums, std::size_t pixel);
+  void endBatch(int passes);
+
   BatchMeans means_;
   Image sum_;
+  std::vector<int> goodFrames_;  ///< in sum_, per pixel
+  std::uint64_t droppedFrames_ = 0;
   int framesInSum_ = 0;
   int framesPerBatch_ = 1;
 };

@@ -71,6 +71,8 @@ class Comparer {
 
   ArmsComparison run() {
     ArmsComparison result = paired_ ? runPaired() : runUnpaired();
+    noteBadFrames(result.comparison, "a", result.a.film);
+    noteBadFrames(result.comparison, "b", result.b.film);
     result.comparison.family.alpha = settings_.alpha;
     result.comparison.equivalence.bound = settings_.bound;
     repeat(result);
@@ -116,7 +118,7 @@ class Comparer {
     }
     ArmsComparison result = gather(runA.run(), runA.stop().value_or(StopReason::interrupt),
                                    runB.run(), runB.stop().value_or(StopReason::interrupt));
-    judgeUnpaired(result.comparison, runA.batches().means(), runB.batches().means());
+    judgeUnpaired(result.comparison, runA.batches(), runB.batches());
     return result;
   }
 
@@ -162,7 +164,11 @@ class Comparer {
                          differences.firstFrame(*difference.first), control_);
   }
 
-  void judgeUnpaired(Comparison& comparison, const BatchMeans& a, const BatchMeans& b) const {
+  void judgeUnpaired(Comparison& comparison, const BatchBuilder& runA,
+                     const BatchBuilder& runB) const {
+    const BatchMeans& a = runA.means();
+    const BatchMeans& b = runB.means();
+    comparison.droppedFrames = runA.droppedFrames() + runB.droppedFrames();
     if (a_.options.seed == b_.options.seed && a_.options.noise == b_.options.noise) {
       comparison.notes.push_back(kSharedSeedNote);
     }
@@ -176,6 +182,13 @@ class Comparer {
     comparison.equivalence =
         equivalenceTest(channelMeans(a), channelMeans(b), settings_.bound, settings_.alpha);
     comparison.verdict = unpairedVerdict(comparison.family, comparison.equivalence);
+  }
+
+  static void noteBadFrames(Comparison& comparison, const char* arm, const Film& film) {
+    if (film.badFrameCount() == 0) return;
+    comparison.notes.push_back(
+        fmt::format("{}: {} frames of pixels were not finite or too large and are left out", arm,
+                    film.badFrameCount()));
   }
 
   /// The other timed runs, of as many frames as the first: only their times are kept.

@@ -35,13 +35,16 @@ void requireSameSize(const PictureFiles& files, const Image& a, const Image& b) 
 }
 
 ImageEstimate estimateOf(const ExrContent& content, const std::string& path,
-                         const std::string& errorPath, const char* option) {
+                         const std::string& errorPath) {
   if (!errorPath.empty()) return estimateFrom(content.image, readLinearImage(errorPath));
-  if (!content.variance.empty() && !content.count.empty()) return estimateFrom(content, path);
-  throw UsageError(fmt::format(
-      "{}: found no Variance.R, Variance.G, Variance.B and count channels, expected them or a "
-      "picture of standard errors with {}: without errors only equal bits can be judged",
-      path, option));
+  return estimateFrom(content, path);
+}
+
+std::string noErrorsNote(const std::string& path, const char* option) {
+  return fmt::format(
+      "{}: no errors are known, so only equal bits could be judged: there are no Variance.R, "
+      "Variance.G, Variance.B and count channels, nor a picture of standard errors with {}",
+      path, option);
 }
 
 bool hasErrors(const ExrContent& content, const std::string& errorPath) {
@@ -67,17 +70,24 @@ Comparison compareFiles(const PictureFiles& files, const ComparisonSettings& set
   result.family.alpha = settings.alpha;
   result.equivalence.bound = settings.bound;
 
-  const bool errorsKnown =
-      hasErrors(result.a, files.standardErrorA) && hasErrors(result.b, files.standardErrorB);
+  const bool errorsKnownA = hasErrors(result.a, files.standardErrorA);
+  const bool errorsKnownB = hasErrors(result.b, files.standardErrorB);
+  const bool errorsKnown = errorsKnownA && errorsKnownB;
   const bool unknownOrigin = !hasMetadata(result.a) || !hasMetadata(result.b);
   const bool equalBits = result.differingPixels == 0;
   result.paired =
       drewSameSamples(result.a, result.b) || (equalBits && (unknownOrigin || !errorsKnown));
   if (result.paired) result.verdict = pairedVerdict(result.differingPixels);
-  if (result.paired && !errorsKnown) return result;
+  if (!result.paired && !errorsKnownA) {
+    result.notes.push_back(noErrorsNote(files.a, "--stderr-a"));
+  }
+  if (!result.paired && !errorsKnownB) {
+    result.notes.push_back(noErrorsNote(files.b, "--stderr-b"));
+  }
+  if (!errorsKnown) return result;
 
-  const ImageEstimate a = estimateOf(result.a, files.a, files.standardErrorA, "--stderr-a");
-  const ImageEstimate b = estimateOf(result.b, files.b, files.standardErrorB, "--stderr-b");
+  const ImageEstimate a = estimateOf(result.a, files.a, files.standardErrorA);
+  const ImageEstimate b = estimateOf(result.b, files.b, files.standardErrorB);
   addZMap(result, a, b);
   if (result.paired) return result;
   judgeUnpaired(result, a, b, settings);

@@ -39,6 +39,7 @@ struct Comparison {
   std::int64_t differingPixels = 0;
   std::optional<FirstDifference> first;
   FamilyTest family;  ///< of unpaired pictures only
+  std::uint64_t droppedFrames = 0;  ///< of pixels, left out of the tested batches of both arms
   Equivalence equivalence;
   /// Of the z map; NaN if no errors are known. For paired pictures, whose noise is not independent,
   /// z is too small and only a map.

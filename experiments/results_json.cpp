@@ -41,9 +41,12 @@ Json equivalenceJson(const Equivalence& equivalence) {
   return {{"bound", equivalence.bound}, {"p", equivalence.p}};
 }
 
-Json familyJson(const FamilyTest& family) {
+Json familyJson(const Comparison& comparison) {
+  const FamilyTest& family = comparison.family;
+  if (!family.wasRun()) return nullptr;
   return {{"size", family.familySize},
           {"untested", family.untested},
+          {"dropped_frames", comparison.droppedFrames},
           {"rejected", family.rejected},
           {"smallest_p", family.smallestP},
           {"permutation_p", family.permutationP},
@@ -67,7 +70,7 @@ Json comparisonJson(const Comparison& comparison) {
           {"mean_b", bits.meanB},
           {"z_rejected_fraction", comparison.zRejectedFraction},
           {"family_alpha", comparison.family.alpha},
-          {"family", comparison.paired ? Json(nullptr) : familyJson(comparison.family)},
+          {"family", familyJson(comparison)},
           {"equivalence", equivalenceJson(comparison.equivalence)}};
 }
 

@@ -94,6 +94,7 @@ class FilmReader {
     XXH64_hash_t found = 0;
     readBytes(&found, sizeof(found));
     if (found != expected) fail("found a checksum that does not match: the file is damaged");
+    checkBadFrames(data);
     return Film(std::move(data));
   }
 
@@ -179,6 +180,26 @@ class FilmReader {
     }
     data.pixels.resize(pixelCount);
     data.badCount.resize(pixelCount);
+  }
+
+  /// A checksum shows no fault of the program that wrote the file.
+  void checkBadFrames(const FilmData& data) const {
+    const std::uint64_t frames =
+        data.passes == 0 ? 0 : data.ranges.sampleCount() / std::uint64_t(data.passes);
+    for (const std::uint32_t bad : data.badCount) {
+      if (bad <= frames) continue;
+      fail("found " + std::to_string(bad) + " bad frames in a pixel, expected at most " +
+           std::to_string(frames));
+    }
+    if (data.badPlaces.size() > kMaxBadPlaces) {
+      fail("found " + std::to_string(data.badPlaces.size()) + " places of bad frames, expected " +
+           "at most " + std::to_string(kMaxBadPlaces));
+    }
+    for (const BadFrame& bad : data.badPlaces) {
+      if (bad.x >= 0 && bad.x < data.width && bad.y >= 0 && bad.y < data.height) continue;
+      fail("found a bad frame at pixel " + std::to_string(bad.x) + "," + std::to_string(bad.y) +
+           ", expected a pixel of the film");
+    }
   }
 
   std::string path_;

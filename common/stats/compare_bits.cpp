@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "common/base/float_bits.h"
 #include "common/stats/image_estimate.h"
@@ -26,7 +27,8 @@ std::array<double, 3> finiteMeans(const Image& image) {
     ++counts[i % 3];
   }
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    if (counts[channel] > 0) sums[channel] /= static_cast<double>(counts[channel]);
+    sums[channel] = counts[channel] > 0 ? sums[channel] / static_cast<double>(counts[channel])
+                                        : std::numeric_limits<double>::quiet_NaN();
   }
   return sums;
 }

@@ -19,7 +19,7 @@ struct BitComparison {
   std::optional<PixelPosition> first;  ///< first differing pixel in row order
   double rmse = 0.0;                   ///< root of the mean squared difference
   double relmse = 0.0;                 ///< mean of d^2 / (b^2 + 0.01), b as the reference
-  std::array<double, 3> meanA{};       ///< per channel, over finite values
+  std::array<double, 3> meanA{};       ///< per channel, over finite values; NaN without any
   std::array<double, 3> meanB{};
   /// Channel values left out of rmse and relmse, since at least one side is not finite.
   std::int64_t nonFiniteValues = 0;

@@ -23,6 +23,8 @@ struct FamilyTest {
   PixelPosition worstBlock;    ///< upper left pixel of the block with the smallest p
   int worstChannel = 0;
   bool different = false;
+
+  bool wasRun() const { return familySize + untested > 0; }
 };
 
 /// The unpaired test on batches. Welch's t, freed of skewness, on each block-channel, Holm over all

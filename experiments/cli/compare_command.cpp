@@ -67,8 +67,7 @@ class CompareCommand {
     prepareOutputs();
     Arm a = openArm(scene, options.a);
     Arm b = openArm(scene, options.b);
-    bool interrupted = false;
-    ArmsComparison result = render(a, b, paired, interrupted);
+    ArmsComparison result = render(a, b, paired);
     auto& allNotes = result.comparison.notes;
     allNotes.insert(allNotes.begin(), notes.begin(), notes.end());
 
@@ -77,6 +76,8 @@ class CompareCommand {
            names);
     warnOfBadFrames(console_, "a", result.a.film);
     warnOfBadFrames(console_, "b", result.b.film);
+    const bool interrupted = result.a.stoppedBy == StopReason::interrupt ||
+                             result.b.stoppedBy == StopReason::interrupt;
     return interrupted ? kInterrupted : exitCode(result.comparison);
   }
 
@@ -139,14 +140,12 @@ class CompareCommand {
     for (const char* name : kComparisonFiles) checkDistinct({outputPath(name), answer_.json});
   }
 
-  ArmsComparison render(Arm& a, Arm& b, bool paired, bool& interrupted) const {
+  ArmsComparison render(Arm& a, Arm& b, bool paired) const {
     const InterruptScope interrupt;
     ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
     const JobControl control{[&](const JobProgress& state) { display.show(state); },
                              [&] { return interrupt.interrupted(); }};
-    ArmsComparison result = compareArms(a, b, paired, settings_, control);
-    interrupted = interrupt.interrupted();
-    return result;
+    return compareArms(a, b, paired, settings_, control);
   }
 
   void finish(const Comparison& comparison, const Json& json, const std::string& timesText,

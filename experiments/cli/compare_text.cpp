@@ -31,6 +31,10 @@ std::string testText(const Comparison& comparison, const ComparisonSettings& set
   std::string text = fmt::format(
       "family test: {} of {} blocks and channels reject, smallest p {:.3g}, alpha {:.3g}\n",
       family.rejected, family.familySize, family.smallestP, settings.alpha);
+  if (family.rejected > 0 && !family.different) {
+    text += fmt::format("family test: not confirmed by relabelling, p {:.3g}\n",
+                        family.permutationP);
+  }
   return text + fmt::format("equivalence: means within {:.3g} with p {:.3g}\n", settings.bound,
                             comparison.equivalence.p);
 }
@@ -68,7 +72,7 @@ ArmNames armNames(const ArmOptions& options) {
 std::string verdictText(const Comparison& comparison, const ComparisonSettings& settings) {
   std::string text = fmt::format("verdict: {}\n", verdictName(comparison.verdict));
   text += differenceText(comparison);
-  if (!comparison.paired) text += testText(comparison, settings);
+  if (comparison.family.wasRun()) text += testText(comparison, settings);
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   return text;
 }

@@ -92,6 +92,33 @@ TEST_CASE("readFilm says what it found", "[film]") {
   CHECK(message() == path + ": found a checksum that does not match: the file is damaged");
 }
 
+TEST_CASE("readFilm refuses bad frames that can't be", "[film]") {
+  const test::TemporaryDirectory directory;
+  const std::string path = directory.file("a.film");
+  const auto dataWith = [](const BadFrame& place) {
+    FilmData data;
+    data.width = data.height = 1;
+    data.passes = 2;
+    data.ranges.add(SampleRange{0, 4});
+    data.pixels.resize(1);
+    data.badCount = {2};
+    data.badPlaces = {place};
+    return data;
+  };
+  writeFilm(path, Film(dataWith(BadFrame{})));
+  CHECK_NOTHROW(readFilm(path));
+  writeFilm(path, Film(dataWith(BadFrame{1, 0, 0, {}})));
+  CHECK_THROWS_AS(readFilm(path), FileError);
+  FilmData tooMany = dataWith(BadFrame{});
+  tooMany.badCount = {3};
+  writeFilm(path, Film(std::move(tooMany)));
+  CHECK_THROWS_AS(readFilm(path), FileError);
+  FilmData tooManyPlaces = dataWith(BadFrame{});
+  tooManyPlaces.badPlaces.resize(kMaxBadPlaces + 1);
+  writeFilm(path, Film(std::move(tooManyPlaces)));
+  CHECK_THROWS_AS(readFilm(path), FileError);
+}
+
 TEST_CASE("readFilm names a file that is not there", "[film]") {
   const test::TemporaryDirectory directory;
   const std::string path = directory.file("none.film");

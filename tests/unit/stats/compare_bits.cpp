@@ -73,6 +73,16 @@ TEST_CASE("compareBits measures errors with b as the reference", "[stats]") {
   CHECK(result.meanB == std::array<double, 3>{1.0, 1.0, 1.0});
 }
 
+TEST_CASE("compareBits knows no mean where no value is finite", "[stats]") {
+  Image a = imageOf(2, 1, 1.0f);
+  a.rgb[0] = kNan;
+  a.rgb[3] = kInfinity;
+  const BitComparison result = compareBits(a, a);
+  CHECK(std::isnan(result.meanA[0]));
+  CHECK(std::isnan(result.meanB[0]));
+  CHECK(result.meanA[1] == 1.0);
+}
+
 TEST_CASE("compareBits refuses pictures of different sizes", "[stats]") {
   CHECK_THROWS_AS(compareBits(Image(2, 3), Image(3, 2)), UsageError);
   CHECK_THROWS_AS(compareBits(Image(), Image()), UsageError);
