@@ -7,6 +7,7 @@
 #include "cpu/tracer.h"
 #include "experiments/build_info.h"
 #include "experiments/machine.h"
+#include "experiments/shader_hash.h"
 #include "gpu/tracer.h"
 
 namespace twintrace {
@@ -59,6 +60,15 @@ std::unique_ptr<Renderer> openRenderer(std::shared_ptr<const FlatScene> scene,
   return makeGpuRenderer(std::move(scene), options);
 }
 
+/// Native maths of shaders is whatever the driver makes of it.
+void addDriver(Arm& arm) {
+  if (arm.options.maths != Maths::native || arm.options.backend != BackEnd::gpu) return;
+  addOption(arm.metadata, arm.options, "gl");
+  for (const auto& [name, value] : arm.renderer->provenance()) {
+    if (name == "gl_renderer" || name == "gl_version") arm.metadata[name] = value;
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const FlatScene> flattenScene(const Scene& scene, const RenderOptions& options) {
@@ -85,6 +95,9 @@ FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const Rende
       addOption(metadata, options, "geometry");
     }
   }
+  if (options.backend == BackEnd::gpu && !options.shaderDirectory.empty()) {
+    metadata["shader_hash"] = shaderDirectoryHash(options.shaderDirectory);
+  }
   return metadata;
 }
 
@@ -96,6 +109,7 @@ Arm openArm(const Scene& scene, const RenderOptions& options) {
   arm.scene = flattenScene(scene, options);
   arm.metadata = filmMetadata(scene, *arm.scene, options);
   arm.renderer = openRenderer(arm.scene, options);
+  addDriver(arm);
   return arm;
 }
 

@@ -3,6 +3,7 @@
 #include "common/base/error.h"
 #include "common/scene/reader.h"
 #include "tests/catch.h"
+#include "tests/unit/experiments/temporary_directory.h"
 
 namespace twintrace {
 namespace {
@@ -51,6 +52,32 @@ TEST_CASE("filmMetadata counts effects only where they can show", "[experiments]
   some.effects = "sphere";
   CHECK(metadataOf(all) == metadataOf(ballOptions()));
   CHECK(metadataOf(some) != metadataOf(ballOptions()));
+}
+
+TEST_CASE("filmMetadata names shaders from a directory by their texts", "[experiments]") {
+  const test::TemporaryDirectory directory;
+  RenderOptions gpu = ballOptions();
+  gpu.backend = BackEnd::gpu;
+  gpu.shaderDirectory = directory.path();
+  test::writeBytes(directory.file("a.glsl"), "one");
+  const std::string hash = metadataOf(gpu).at("shader_hash");
+  test::writeBytes(directory.file("notes.txt"), "no shader");
+  CHECK(metadataOf(gpu).at("shader_hash") == hash);
+  test::writeBytes(directory.file("a.glsl"), "two");
+  CHECK(metadataOf(gpu).at("shader_hash") != hash);
+  gpu.backend = BackEnd::cpu;
+  CHECK(metadataOf(gpu) == metadataOf(ballOptions()));
+}
+
+TEST_CASE("openArm names the driver of native maths", "[experiments][gl]") {
+  RenderOptions gpu = ballOptions();
+  gpu.backend = BackEnd::gpu;
+  CHECK_FALSE(openArm(ballScene(), gpu).metadata.contains("gl_renderer"));
+  gpu.maths = Maths::native;
+  const FilmMetadata metadata = openArm(ballScene(), gpu).metadata;
+  CHECK(metadata.at("gl") == "osmesa");
+  CHECK_FALSE(metadata.at("gl_renderer").empty());
+  CHECK_FALSE(metadata.at("gl_version").empty());
 }
 
 TEST_CASE("openArm refuses what a GPU lacks", "[experiments]") {
