@@ -1,11 +1,14 @@
 #include "experiments/arm.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "common/base/error.h"
 #include "common/scene/option_names.h"
 #include "cpu/tracer.h"
 #include "experiments/build_info.h"
+#include "experiments/effect_ledger.h"
 #include "experiments/machine.h"
 #include "experiments/shader_hash.h"
 #include "gpu/tracer.h"
@@ -16,16 +19,6 @@ namespace {
 /// Options of which every value may change the samples.
 constexpr std::array kBitOptions = {"integrator",  "noise",   "maths", "precision",
                                     "intersector", "bounces", "seed"};
-
-std::string effectNames(const EffectSet& effects) {
-  std::string names;
-  for (int i = 0; i < kEffectCount; ++i) {
-    if (!effects.has(static_cast<Effect>(i))) continue;
-    if (!names.empty()) names += ",";
-    names += kEffectNames[static_cast<std::size_t>(i)];
-  }
-  return names;
-}
 
 EffectSet both(const EffectSet& a, const EffectSet& b) {
   EffectSet common;
@@ -82,11 +75,11 @@ std::shared_ptr<const FlatScene> flattenScene(const Scene& scene, const RenderOp
 }
 
 FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const RenderOptions& options) {
-  FilmMetadata metadata = {
-      {"version", buildInfo().version},
-      {"scene", scene.name},
-      {"scene_hash", sceneHash(flat)},
-      {"effects", effectNames(both(flat.effects, neededEffects(scene, options)))}};
+  const auto names = effectNames(both(flat.effects, neededEffects(scene, options)));
+  FilmMetadata metadata = {{"version", buildInfo().version},
+                           {"scene", scene.name},
+                           {"scene_hash", sceneHash(flat)},
+                           {"effects", fmt::format("{}", fmt::join(names, ","))}};
   for (const char* name : kBitOptions) addOption(metadata, options, name);
   if (options.maths == Maths::native) {
     addOption(metadata, options, "backend");

@@ -38,7 +38,7 @@ struct Comparison {
   BitComparison bits;  ///< of the pictures; films decide where there are any
   std::int64_t differingPixels = 0;
   std::optional<FirstDifference> first;
-  FamilyTest family;  ///< of unpaired pictures only
+  FamilyTest family;                ///< of unpaired pictures only
   std::uint64_t droppedFrames = 0;  ///< of pixels, left out of the tested batches of both arms
   Equivalence equivalence;
   /// Of the z map; NaN if no errors are known. For paired pictures, whose noise is not independent,

@@ -35,6 +35,16 @@ std::string reasonFor(const Scene& scene, const RenderOptions& options, Effect e
 
 }  // namespace
 
+std::vector<std::string> effectNames(const EffectSet& effects) {
+  std::vector<std::string> names;
+  for (int i = 0; i < kEffectCount; ++i) {
+    if (effects.has(static_cast<Effect>(i))) {
+      names.emplace_back(kEffectNames[static_cast<std::size_t>(i)]);
+    }
+  }
+  return names;
+}
+
 std::vector<EffectEntry> effectLedger(const Scene& scene, const RenderOptions& options) {
   const EffectSet chosen = chosenEffects(scene, options);
   const EffectSet content = contentEffects(scene, options);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "common/scene/effects.h"
 #include "common/scene/scene.h"
 
 namespace twintrace {
@@ -13,6 +14,9 @@ struct EffectEntry {
   bool compiledIn = false;
   std::string reason;
 };
+
+/// Names of the effects of a set, in the order of kEffectNames.
+std::vector<std::string> effectNames(const EffectSet& effects);
 
 /// All effects of a scene under options, in the order of kEffectNames.
 std::vector<EffectEntry> effectLedger(const Scene& scene, const RenderOptions& options);

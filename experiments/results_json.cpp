@@ -2,6 +2,7 @@
 
 #include "common/scene/option_names.h"
 #include "experiments/build_info.h"
+#include "experiments/effect_ledger.h"
 #include "experiments/machine.h"
 
 namespace twintrace {
@@ -17,15 +18,6 @@ Json objectOf(const Pairs& pairs) {
   Json object = Json::object();
   for (const auto& [name, value] : pairs) object[name] = value;
   return object;
-}
-
-Json effectsJson(const EffectSet& effects) {
-  Json names = Json::array();
-  for (int i = 0; i < kEffectCount; ++i) {
-    if (effects.has(static_cast<Effect>(i)))
-      names.push_back(kEffectNames[static_cast<std::size_t>(i)]);
-  }
-  return names;
 }
 
 Json firstDifferenceJson(const std::optional<FirstDifference>& first) {
@@ -108,7 +100,7 @@ Json armJson(const Arm& arm) {
           {"shader_directory", arm.options.shaderDirectory},
           {"ran", objectOf(arm.renderer->provenance())},
           {"scene_hash", sceneHash(*arm.scene)},
-          {"effects", effectsJson(arm.scene->effects)}};
+          {"effects", effectNames(arm.scene->effects)}};
 }
 
 Json badFramesJson(const Film& film) {

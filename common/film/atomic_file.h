@@ -10,8 +10,8 @@ bool isDevice(const std::string& path);
 
 /// Writes a file under a temporary name beside its final one and renames it when it is complete, so
 /// that a reader or a killed run never sees half a file. Without commit() nothing is left behind.
-/// What exists and is no regular file, such as a pipe or /dev/null, is written to directly and stays
-/// what it is; a link stays and its target is replaced.
+/// What exists and is no regular file, such as a pipe or /dev/null, is written to directly and
+/// stays what it is; a link stays and its target is replaced.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::string& path);

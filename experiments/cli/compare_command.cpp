@@ -76,8 +76,8 @@ class CompareCommand {
            names);
     warnOfBadFrames(console_, "a", result.a.film);
     warnOfBadFrames(console_, "b", result.b.film);
-    const bool interrupted = result.a.stoppedBy == StopReason::interrupt ||
-                             result.b.stoppedBy == StopReason::interrupt;
+    const bool interrupted =
+        result.a.stoppedBy == StopReason::interrupt || result.b.stoppedBy == StopReason::interrupt;
     return interrupted ? kInterrupted : exitCode(result.comparison);
   }
 

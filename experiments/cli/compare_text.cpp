@@ -32,8 +32,8 @@ std::string testText(const Comparison& comparison, const ComparisonSettings& set
       "family test: {} of {} blocks and channels reject, smallest p {:.3g}, alpha {:.3g}\n",
       family.rejected, family.familySize, family.smallestP, settings.alpha);
   if (family.rejected > 0 && !family.different) {
-    text += fmt::format("family test: not confirmed by relabelling, p {:.3g}\n",
-                        family.permutationP);
+    text +=
+        fmt::format("family test: not confirmed by relabelling, p {:.3g}\n", family.permutationP);
   }
   return text + fmt::format("equivalence: means within {:.3g} with p {:.3g}\n", settings.bound,
                             comparison.equivalence.p);

@@ -33,8 +33,10 @@ void answer(const Console& console, const AnswerOptions& options, const Json& js
   OutputAttempts outputs;
   outputs.attempt([&] { printText(console, options, text); });
   outputs.attempt([&] {
-    if (options.json == "-") print(console, jsonText(json));
-    else if (!options.json.empty()) writeText(options.json, jsonText(json));
+    if (options.json == "-")
+      print(console, jsonText(json));
+    else if (!options.json.empty())
+      writeText(options.json, jsonText(json));
   });
   outputs.finish();
 }

@@ -24,8 +24,9 @@ TEST_CASE("Arms whose frames are summed differently are unpaired, and a note say
   CHECK_FALSE(isPaired(options));
   const auto notes = fitForTests(options);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "passes differ (1 and 16): frames are summed differently, so the arms are "
-                    "tested as unpaired");
+  CHECK(notes[0] ==
+        "passes differ (1 and 16): frames are summed differently, so the arms are "
+        "tested as unpaired");
 }
 
 TEST_CASE("Another seed, noise, first sample or spp makes arms unpaired", "[experiments]") {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <unistd.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
-#include <unistd.h>
 
 #include <string>
 #include <vector>
@@ -18,7 +18,8 @@ class TemporaryDirectory {
  public:
   TemporaryDirectory() {
     std::random_device random;
-    path_ = std::filesystem::temp_directory_path() / ("twintrace-film-" + std::to_string(getpid()) + "-" + std::to_string(random()));
+    path_ = std::filesystem::temp_directory_path() /
+            ("twintrace-film-" + std::to_string(getpid()) + "-" + std::to_string(random()));
     std::filesystem::create_directory(path_);
   }
   ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
