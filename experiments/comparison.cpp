@@ -15,13 +15,6 @@ void checkFraction(const char* name, double value) {
   throw UsageError(fmt::format("{}: found {}, expected a number between 0 and 1", name, value));
 }
 
-std::array<float, 3> valueAt(const Image& image, const PixelPosition& pixel) {
-  const std::size_t i =
-      3 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
-           static_cast<std::size_t>(pixel.x));
-  return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
-}
-
 }  // namespace
 
 void checkSettings(const ComparisonSettings& settings) {
@@ -39,7 +32,8 @@ Comparison comparePictures(ExrContent a, ExrContent b) {
   result.differingPixels = result.bits.differingPixels;
   result.ulp = ulpMap(a.image, b.image);
   if (const auto pixel = result.bits.first) {
-    result.first = {*pixel, std::nullopt, valueAt(a.image, *pixel), valueAt(b.image, *pixel)};
+    const std::size_t index = pixelIndex(*pixel, a.image.width);
+    result.first = {*pixel, std::nullopt, valueAt(a.image.rgb, index), valueAt(b.image.rgb, index)};
   }
   result.zRejectedFraction = std::numeric_limits<double>::quiet_NaN();
   result.equivalence.p = std::numeric_limits<double>::quiet_NaN();

@@ -5,17 +5,8 @@
 namespace twintrace {
 namespace {
 
-std::array<float, 3> valueAt(std::span<const float> rgb, std::size_t pixel) {
-  return {rgb[3 * pixel], rgb[3 * pixel + 1], rgb[3 * pixel + 2]};
-}
-
 bool sameValue(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   return sameBits(a[0], b[0]) && sameBits(a[1], b[1]) && sameBits(a[2], b[2]);
-}
-
-std::size_t indexOf(const PixelPosition& pixel, int width) {
-  return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width) +
-         static_cast<std::size_t>(pixel.x);
 }
 
 }  // namespace
@@ -34,7 +25,7 @@ void FrameDifferences::add(std::span<const float> a, std::span<const float> b) {
 }
 
 std::optional<std::uint32_t> FrameDifferences::firstFrame(const PixelPosition& pixel) const {
-  const std::size_t index = indexOf(pixel, width_);
+  const std::size_t index = pixelIndex(pixel, width_);
   if (firstFrame_[index] == kNone) return std::nullopt;
   return firstFrame_[index];
 }
@@ -42,7 +33,7 @@ std::optional<std::uint32_t> FrameDifferences::firstFrame(const PixelPosition& p
 FirstDifference locateDifference(const PixelPosition& pixel, const Image& a, const Image& b,
                                  Arm& armA, Arm& armB, std::optional<std::uint32_t> frame,
                                  const JobControl& control) {
-  const std::size_t index = indexOf(pixel, a.width);
+  const std::size_t index = pixelIndex(pixel, a.width);
   FirstDifference result{pixel, std::nullopt, valueAt(a.rgb, index), valueAt(b.rgb, index)};
   if (!frame) return result;
   const RenderOptions& options = armA.options;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,5 +37,16 @@ struct PixelPosition {
   int y = 0;
   bool operator==(const PixelPosition&) const = default;
 };
+
+/// Index of a pixel in row order.
+inline std::size_t pixelIndex(const PixelPosition& pixel, int width) {
+  return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(pixel.x);
+}
+
+/// The three values of the pixel with this index.
+inline std::array<float, 3> valueAt(std::span<const float> rgb, std::size_t pixel) {
+  return {rgb[3 * pixel], rgb[3 * pixel + 1], rgb[3 * pixel + 2]};
+}
 
 }  // namespace twintrace
