@@ -118,7 +118,9 @@ TWINTRACE_STEP void renderTileWide(const FrameJob& job, const SceneView& scene, 
   LaneWork work;
   for (int lane = 0; lane < kLanes; ++lane) takePixel(work, queue, lane);
   WideMask waiting = work.busy;  // lanes between two samples
-  PathState<WideFloat> states[2] = {};
+  // All lanes begin with a path, so that idle ones, too, compute with numbers.
+  PathState<WideFloat> states[2] = {
+      beginSample<WideFloat>(scene, work.x, work.y, WideUint(frame.firstSample), frame), {}};
   int now = 0;
   states[now].alive = WideMask(false);
   while (anyLane(work.busy)) {

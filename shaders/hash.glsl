@@ -47,7 +47,7 @@ SampleKey makeSampleKey(int x, int y, int width, uint sampleIndex, uint seed) {
 
 // The random number in [0, 1] (sine) or [0, 1) (pcg) of a decision within a sample.
 float noise(SampleKey key, int bounce, int dimension) {
-  uint counter = uint(bounce * kCounterStride + dimension) * 2654435769u;
+  uint counter = (uint(bounce) * uint(kCounterStride) + uint(dimension)) * 2654435769u;
   if (kNoiseSine) {
     precise float fromLattice =
         sineHash(unitFloat(key.first + counter), unitFloat(key.second + counter * 3u));

@@ -57,8 +57,9 @@ template <class R>
 R noise(const SceneView& scene, const SampleKey<R>& key, IntOf<R> bounce, int dimension) {
   using Uint = UintOf<R>;
   using N = NoiseOf<R>;
-  const Uint counter =
-      toUnsigned(bounce * IntOf<R>(kCounterStride) + IntOf<R>(dimension)) * Uint(2654435769u);
+  // Unsigned, since ended paths in other lanes go on counting bounces.
+  const Uint counter = (toUnsigned(bounce) * Uint(kCounterStride) + toUnsigned(IntOf<R>(dimension))) *
+                       Uint(2654435769u);
   if (scene.noiseSine) {
     return widened<R>(sineHash(unitFloat<N>(key.first + counter),
                                unitFloat<N>(key.second + counter * Uint(3u))));
