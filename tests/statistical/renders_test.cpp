@@ -22,7 +22,12 @@ namespace {
 /// Chance that a sound test fails the calibration; seeds are fixed, so it does so always or never.
 constexpr double kCalibrationAlpha = 1e-6;
 
+// A sanitizer looks for faults, which the first pairs would show, and slows renders down hundredfold.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kPairs = 20;
+#else
 constexpr int kPairs = 1000;
+#endif
 constexpr int kBatches = 32;
 
 Scene shippedScene(const std::string& name) {
