@@ -33,6 +33,12 @@ struct Plane {
   vec3 normal;
 };
 
+struct Triangle {
+  vec3 a;
+  vec3 b;
+  vec3 c;
+};
+
 // What every hit needs: the emission of the primitive's material stands here so that most hits read
 // one texel only.
 struct PrimitiveInfo {

@@ -36,8 +36,9 @@ inline bool operator>=(NativeFloat a, NativeFloat b) { return a.value >= b.value
 inline bool operator==(NativeFloat a, NativeFloat b) { return a.value == b.value; }
 
 /// What belongs to a number type: Mask, Int and Uint; Noise, the type in which random numbers are
-/// computed (double arms draw the floats of float arms); native, whether its elementary functions
-/// are the standard library's.
+/// computed (double arms draw the floats of float arms); Wider, the GLSL double of the kernel, which
+/// holds a product of two numbers exactly; native, whether its elementary functions are the standard
+/// library's.
 template <class R>
 struct NumberTraits;
 
@@ -47,6 +48,7 @@ struct ScalarTraits {
   using Int = std::int32_t;
   using Uint = std::uint32_t;
   using Noise = NoiseType;
+  using Wider = double;
   static constexpr bool native = isNative;
 };
 template <>
@@ -64,6 +66,8 @@ template <class R>
 using UintOf = typename NumberTraits<R>::Uint;
 template <class R>
 using NoiseOf = typename NumberTraits<R>::Noise;
+template <class R>
+using WiderOf = typename NumberTraits<R>::Wider;
 template <class R>
 concept NativeNumber = NumberTraits<R>::native;
 template <class R>
@@ -137,6 +141,36 @@ inline float floorOf(float x) {
 }
 inline double floorOf(double x) { return std::floor(x); }
 inline NativeFloat floorOf(NativeFloat x) { return floorOf(x.value); }
+
+/// A number as a wider one, exactly.
+inline double wider(float x) { return x; }
+inline double wider(double x) { return x; }
+inline double wider(NativeFloat x) { return x.value; }
+
+/// The nearest number to a wider one; infinity beyond the largest.
+inline float nearestFloat(double x) { return static_cast<float>(x); }
+template <class R>
+R rounded(WiderOf<R> x) {
+  if constexpr (std::is_same_v<R, double>) {
+    return x;
+  } else {
+    return R(nearestFloat(x));
+  }
+}
+
+/// a b - c d from exact products, so that its sign is exact.
+template <class R>
+WiderOf<R> differenceOfProducts(R a, R b, R c, R d) {
+  return wider(a) * wider(b) - wider(c) * wider(d);
+}
+/// Kahan's: there is no type in which products of doubles are exact, but fused multiplication gives
+/// what the rounded one lacks.
+template <>
+inline double differenceOfProducts(double a, double b, double c, double d) {
+  const double product = c * d;
+  const double lacking = std::fma(-c, d, product);
+  return std::fma(a, b, -product) + lacking;
+}
 
 inline float rootOf(float x) { return std::sqrt(x); }
 inline double rootOf(double x) { return std::sqrt(x); }

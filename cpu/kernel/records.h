@@ -43,6 +43,13 @@ struct Plane {
   Vec3<R> normal;
 };
 
+template <class R>
+struct Triangle {
+  Vec3<R> a;
+  Vec3<R> b;
+  Vec3<R> c;
+};
+
 /// What every hit needs: the emission of the primitive's material, and which one it is.
 template <class R>
 struct PrimitiveInfo {

@@ -26,6 +26,11 @@ Vec3<R> select(MaskOf<R> condition, const Vec3<R>& a, const Vec3<R>& b) {
 }
 
 template <class R>
+Vec3<WiderOf<R>> wider3(const Vec3<R>& v) {
+  return {wider(v.x), wider(v.y), wider(v.z)};
+}
+
+template <class R>
 R largestComponent(const Vec3<R>& v) {
   return greatest(greatest(v.x, v.y), v.z);
 }

@@ -19,6 +19,7 @@ using SimdFloat = stdx::native_simd<float>;
 using SimdInt = stdx::rebind_simd_t<std::int32_t, SimdFloat>;
 using SimdUint = stdx::rebind_simd_t<std::uint32_t, SimdFloat>;
 using SimdMask = SimdFloat::mask_type;
+using SimdDouble = stdx::rebind_simd_t<double, SimdFloat>;
 
 inline constexpr int kLanes = static_cast<int>(SimdFloat::size());
 
@@ -54,6 +55,39 @@ struct WideFloat {
   friend TWINTRACE_INLINE WideMask operator<=(WideFloat a, WideFloat b) { return a.value <= b.value; }
   friend TWINTRACE_INLINE WideMask operator>=(WideFloat a, WideFloat b) { return a.value >= b.value; }
   friend TWINTRACE_INLINE WideMask operator==(WideFloat a, WideFloat b) { return a.value == b.value; }
+};
+
+/// Where a mask of doubles holds, as a mask of floats.
+TWINTRACE_INLINE WideMask narrowMask(SimdDouble::mask_type mask) {
+  SimdDouble holds = 0.0;
+  stdx::where(mask, holds) = 1.0;
+  return stdx::static_simd_cast<SimdFloat>(holds) > 0.0f;
+}
+
+struct WideDouble {
+  SimdDouble value;
+
+  TWINTRACE_INLINE WideDouble() {}
+  TWINTRACE_INLINE WideDouble(float all) : value(static_cast<double>(all)) {}
+  TWINTRACE_INLINE WideDouble(SimdDouble v) : value(v) {}
+
+  friend TWINTRACE_INLINE WideDouble operator+(WideDouble a, WideDouble b) { return a.value + b.value; }
+  friend TWINTRACE_INLINE WideDouble operator-(WideDouble a, WideDouble b) { return a.value - b.value; }
+  friend TWINTRACE_INLINE WideDouble operator*(WideDouble a, WideDouble b) { return a.value * b.value; }
+  friend TWINTRACE_INLINE WideDouble operator/(WideDouble a, WideDouble b) { return a.value / b.value; }
+  friend TWINTRACE_INLINE WideDouble operator-(WideDouble a) { return -a.value; }
+  friend TWINTRACE_INLINE WideMask operator<(WideDouble a, WideDouble b) {
+    return narrowMask(a.value < b.value);
+  }
+  friend TWINTRACE_INLINE WideMask operator>(WideDouble a, WideDouble b) {
+    return narrowMask(a.value > b.value);
+  }
+  friend TWINTRACE_INLINE WideMask operator<=(WideDouble a, WideDouble b) {
+    return narrowMask(a.value <= b.value);
+  }
+  friend TWINTRACE_INLINE WideMask operator>=(WideDouble a, WideDouble b) {
+    return narrowMask(a.value >= b.value);
+  }
 };
 
 struct WideInt {
@@ -107,6 +141,7 @@ struct NumberTraits<WideFloat> {
   using Int = WideInt;
   using Uint = WideUint;
   using Noise = WideFloat;
+  using Wider = WideDouble;
   static constexpr bool native = false;
 };
 
@@ -155,6 +190,13 @@ TWINTRACE_INLINE WideFloat greatest(WideFloat a, WideFloat b) {
 TWINTRACE_INLINE WideFloat absolute(WideFloat x) { return stdx::abs(x.value); }
 TWINTRACE_INLINE WideFloat floorOf(WideFloat x) { return stdx::floor(x.value); }
 TWINTRACE_INLINE WideFloat rootOf(WideFloat x) { return stdx::sqrt(x.value); }
+TWINTRACE_INLINE WideDouble rootOf(WideDouble x) { return stdx::sqrt(x.value); }
+TWINTRACE_INLINE WideDouble wider(WideFloat x) {
+  return stdx::static_simd_cast<SimdDouble>(x.value);
+}
+TWINTRACE_INLINE WideFloat nearestFloat(WideDouble x) {
+  return stdx::static_simd_cast<SimdFloat>(x.value);
+}
 TWINTRACE_INLINE WideInt toInt(WideFloat x) { return stdx::static_simd_cast<SimdInt>(x.value); }
 TWINTRACE_INLINE WideInt bitsOf(WideFloat x) { return std::bit_cast<SimdInt>(x.value); }
 TWINTRACE_INLINE WideFloat floatFromBits(WideInt bits) { return std::bit_cast<SimdFloat>(bits.value); }
