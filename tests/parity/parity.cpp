@@ -6,29 +6,13 @@
 
 #include "common/base/error.h"
 #include "common/base/float_bits.h"
-#include "common/base/flush_denormals.h"
 #include "gpu/provider.h"
 
 namespace twintrace::parity {
 namespace {
 
-int wordsOf(std::span<const Slot> slots) {
-  int words = 0;
-  for (const Slot& slot : slots) words += slot.size;
-  return words;
-}
-
-std::size_t recordCount(const ShaderFunction& function, std::span<const std::uint32_t> inputs) {
-  return inputs.size() / static_cast<std::size_t>(inputWords(function));
-}
-
-bool isReal(const ShaderFunction& function, std::size_t word) {
-  for (const Slot& slot : function.outputs) {
-    if (word < static_cast<std::size_t>(slot.size)) return slot.kind == Kind::real;
-    word -= static_cast<std::size_t>(slot.size);
-  }
-  return false;
-}
+using probe::Kind;
+using probe::Slot;
 
 // Denormals are zero in strict maths; where one is only passed on, whether it is flushed depends on
 // the instruction: a minimum flushes, a selection does not.
@@ -91,10 +75,10 @@ struct Expected {
   std::vector<std::uint32_t> inputs, twin, witness;
 };
 
-Expected expectedIn(const ShaderFunction& function, World& world) {
+Expected expectedIn(const ShaderFunction& function, WitnessCall call, const World& world) {
   Expected expected;
   expected.inputs = drawInputs(function, world, kRandomCount, kSeed);
-  expected.witness = runWitness(function, world, expected.inputs);
+  expected.witness = runWitness(function, call, world, expected.inputs);
   expected.twin = function.twin != nullptr ? runTwin(function, world, expected.inputs)
                                            : expected.witness;
   return expected;
@@ -128,53 +112,17 @@ const ShaderFunction& functionOf(const std::string& signature) {
   throw UsageError("no shader function " + signature);
 }
 
-int inputWords(const ShaderFunction& function) { return std::max(wordsOf(function.inputs), 1); }
-
-int outputWords(const ShaderFunction& function) { return wordsOf(function.outputs); }
-
-std::vector<std::uint32_t> runTwin(const ShaderFunction& function, const World& world,
-                                   std::span<const std::uint32_t> inputs) {
-  const FlushDenormals flush;
-  const auto in = static_cast<std::size_t>(inputWords(function));
-  const auto out = static_cast<std::size_t>(outputWords(function));
-  std::vector<std::uint32_t> results(recordCount(function, inputs) * out);
-  for (std::size_t i = 0; i * in < inputs.size(); ++i) {
-    function.twin(world.view, &inputs[i * in], &results[i * out]);
-  }
-  return results;
-}
-
-std::vector<std::uint32_t> runWitness(const ShaderFunction& function, World& world,
-                                      std::span<const std::uint32_t> inputs) {
-  const FlushDenormals flush;
-  const auto in = static_cast<std::size_t>(inputWords(function));
-  const auto out = static_cast<std::size_t>(outputWords(function));
-  std::vector<std::uint32_t> results(recordCount(function, inputs) * out);
-  for (std::size_t i = 0; i * in < inputs.size(); ++i) {
-    function.witness(world.witness, &inputs[i * in], &results[i * out]);
-  }
-  return results;
-}
-
-std::vector<std::uint32_t> runShader(Context& context, const ShaderLibrary& library,
-                                     const ShaderFunction& function, const World& world,
-                                     std::span<const std::uint32_t> inputs) {
-  const Probe probe{function.main, inputWords(function), outputWords(function)};
-  return runProbe(context, library, probe, world.scene, world.options, inputs);
-}
-
 Difference differenceOf(const ShaderFunction& function, std::span<const std::uint32_t> a,
                         std::span<const std::uint32_t> b) {
   const auto stride = static_cast<std::size_t>(outputWords(function));
-  std::vector<bool> real(stride);
-  for (std::size_t word = 0; word < stride; ++word) real[word] = isReal(function, word);
+  const std::vector<Kind> kinds = outputKinds(function);
   Difference found;
   found.records = a.size() / stride;
   for (std::size_t record = 0; record < found.records; ++record) {
     std::uint32_t ulp = 0;
     for (std::size_t word = 0; word < stride; ++word) {
       const std::size_t at = record * stride + word;
-      ulp = std::max(ulp, wordDistance(real[word], a[at], b[at]));
+      ulp = std::max(ulp, wordDistance(kinds[word] == Kind::real, a[at], b[at]));
     }
     if (ulp == 0) continue;
     if (found.differing++ == 0) found.first = record;
@@ -200,7 +148,8 @@ std::string describe(
   return text;
 }
 
-void checkParity(const ShaderFunction& function) {
+void checkParity(const std::string& signature, WitnessCall call) {
+  const ShaderFunction& function = functionOf(signature);
   std::vector<std::unique_ptr<Context>> contexts;
   for (const Provider provider : {Provider::osmesa, Provider::egl}) {
     try {
@@ -209,8 +158,8 @@ void checkParity(const ShaderFunction& function) {
       WARN("left out: " << error.what());
     }
   }
-  for (World& world : worldsFor(function)) {
-    const Expected expected = expectedIn(function, world);
+  for (const World& world : worldsFor(function)) {
+    const Expected expected = expectedIn(function, call, world);
     const Difference found = differenceOf(function, expected.twin, expected.witness);
     if (found.differing != 0) {
       FAIL_CHECK("twin and witness differ in "

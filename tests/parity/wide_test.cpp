@@ -17,7 +17,7 @@ void spreadUniforms(const ShaderFunction& function, const WideFunction& wide, in
   for (std::size_t record = 0; record * stride < inputs.size(); ++record) {
     const std::size_t first = record - record % static_cast<std::size_t>(lanes);
     std::size_t word = 0;
-    for (const Slot& slot : function.inputs) {
+    for (const probe::Slot& slot : function.inputs) {
       for (int i = 0; i < slot.size; ++i, ++word) {
         if ((wide.uniformParameters >> slot.parameter & 1u) != 0u) {
           inputs[record * stride + word] = inputs[first * stride + word];

@@ -4,7 +4,7 @@ import pathlib
 import re
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "parity"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "experiments/probe"))
 
 import shader_text  # noqa: E402
 from shader_text import NATIVE, WITHOUT_TWIN, cpp_functions, glsl_functions, without_comments
@@ -17,7 +17,7 @@ FORBIDDEN = ("acos acosh all any asin asinh atan atanh ceil clamp cos cosh cross
              "step tan tanh texture textureLod transpose trunc dFdx dFdy fwidth interpolateAtCentroid"
              ).split()
 EXACT_TYPES = {"int", "uint", "uvec4", "void", "ivec2"}
-FLOAT_TYPES = {"float", "vec2", "vec3", "vec4"}
+FLOAT_TYPES = {"float", "vec2", "vec3", "vec4", "double", "dvec3"}
 INTEGER_BUILTINS = {"floatBitsToInt", "floatBitsToUint"}
 
 

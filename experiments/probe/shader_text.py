@@ -1,4 +1,4 @@
-"""What the tests know about the text of shaders and of their C++ twins.
+"""What probes and tests know about the text of shaders and of their C++ twins.
 
 The sources are laid out by clang-format, so a definition begins in column 0; that is all the parsing
 that structures and signatures need.

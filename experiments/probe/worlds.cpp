@@ -1,14 +1,15 @@
+#include "experiments/probe/worlds.h"
+
 #include <bit>
 
 #include "common/scene/reader.h"
-#include "tests/parity/parity.h"
 
-namespace twintrace::parity {
+namespace twintrace::probe {
 namespace {
 
 // Every kind of primitive, lobe and light, near the origin, where random rays meet them.
 constexpr const char* kScene = R"toml(
-name = "parity"
+name = "probe"
 [film]
 width = 48
 height = 32
@@ -110,44 +111,14 @@ void addEnvironment(FlatScene& scene) {
   }
 }
 
-void setWitness(Witness& w, const FlatScene& scene, const RenderOptions& options) {
-  w.sceneTexels = scene.texels;
-  w.cameraOrigin = scene.camera.origin;
-  w.cameraCorner = scene.camera.corner;
-  w.cameraStepX = scene.camera.stepX;
-  w.cameraStepY = scene.camera.stepY;
-  w.cameraLensX = scene.camera.lensX;
-  w.cameraLensY = scene.camera.lensY;
-  w.environmentRadiance = scene.environmentRadiance;
-  w.environmentTurn = scene.environmentTurn;
-  w.kNoiseSine = options.noise == Noise::sine;
-  w.kIntersectorReport = options.intersector == Intersector::report;
-  w.kIntegrator = static_cast<int>(options.integrator);
-  const SceneIndex& index = scene.index;
-  w.kSphereCount = index.sphereCount;
-  w.kBoxCount = index.boxCount;
-  w.kOrientedBoxCount = index.orientedBoxCount;
-  w.kPlaneCount = index.planeCount;
-  w.kLightCount = index.lightCount;
-  w.kSphereOffset = index.sphereOffset;
-  w.kBoxOffset = index.boxOffset;
-  w.kOrientedBoxOffset = index.orientedBoxOffset;
-  w.kPlaneOffset = index.planeOffset;
-  w.kInfoOffset = index.infoOffset;
-  w.kMaterialOffset = index.materialOffset;
-  w.kLightOffset = index.lightOffset;
-  w.kEnvironmentOffset = index.environmentOffset;
-  w.kEnvironmentWidth = index.environmentWidth;
-  w.kEnvironmentHeight = index.environmentHeight;
-}
-
 World makeWorld(const std::string& name, const RenderOptions& options) {
-  World world{name, options, {}, {}, {}};
+  World world;
+  world.name = name;
+  world.options = options;
   world.options.effects = "all";
-  world.scene = flatten(parseScene(kScene, "parity.toml"), world.options);
+  world.scene = flatten(parseScene(kScene, "probe.toml"), world.options);
   addEnvironment(world.scene);
   world.view = kernel::viewScene(world.scene, world.options, nullptr);
-  setWitness(world.witness, world.scene, world.options);
   return world;
 }
 
@@ -198,4 +169,4 @@ std::vector<World> worldsFor(const ShaderFunction& function) {
   return worlds;
 }
 
-}  // namespace twintrace::parity
+}  // namespace twintrace::probe

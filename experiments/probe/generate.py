@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the parity tests of every shader function.
+"""Writes what is needed to run every shader function alone.
 
-For each function of shaders/*.glsl: a compute main that runs it over packed inputs, a call of its C++
-twin, one of the third witness (the same text as C++), and, where lanes are independent, one of the
-twin with wide floats. Nothing is listed by hand: a new function is found by its signature, and one
-without a twin of the same signature is an error.
+For each function of shaders/*.glsl: a compute main that runs it over packed inputs, and calls of its
+C++ twin in float and in double. Nothing is listed by hand: a new function is found by its signature,
+and one without a twin of the same signature is an error. A twin that cannot be called with doubles is
+constrained (StrictNumber), or its template fails to compile here.
 
 Usage: generate.py ROOT OUTPUT_DIRECTORY
 """
@@ -26,8 +26,6 @@ TWIN_TYPES = {
     "vec3": ["Vec3<R>"],
 }
 CANONICAL = {cpp: glsl for glsl, spellings in TWIN_TYPES.items() for cpp in spellings}
-# The same in all lanes of a wide call.
-UNIFORM_TYPES = ["int", "std::uint32_t", "bool", "Frame", "Light<R>"]
 
 
 def canonical(twin_type):
@@ -189,25 +187,31 @@ class Generator:
 
     def twin_function(self, function, index):
         twin = self.twin(function)
-        kinds = [p.type for p in function.parameters]
-        view = "view" if twin and len(own_parameters(twin)) != len(twin.parameters) else ""
-        head = f"void twin{index}(const SceneView& {view}, const std::uint32_t* "
-        head += f"{'in' if kinds else ''}, std::uint32_t* out) {{\n"
-        types = [self.twin_type(k, "float") for k in kinds]
-        return head + self.cpp_body(types, kinds, self.twin_call(function, twin, "float"),
-                                    function.result, "parity::WordReader reader{in};",
-                                    "parity::WordWriter writer{out};")
+        view = "view" if len(own_parameters(twin)) != len(twin.parameters) else ""
+        return self.call_function(function, twin, f"twin{index}", view, "float",
+                                  "std::uint32_t", "WordWriter")
 
-    def witness_function(self, function, index):
+    def twin64_function(self, function, index):
+        """The call in double, behind a question whether there is one."""
+        twin = self.twin(function)
+        view = "view" if len(own_parameters(twin)) != len(twin.parameters) else ""
+        types = [self.twin_type(p.type, "R") for p in function.parameters]
+        scene = ["const SceneView& view"] if view else []
+        given = ", ".join(scene + [f"{t} given{i}" for i, t in enumerate(types)])
+        call = self.twin_call(function, twin, "R")
+        question = (f"template <class R>\nconcept HasTwin{index} = requires({given}) {{ {call}; }};\n"
+                    if given else f"template <class R>\nconcept HasTwin{index} = requires {{ {call}; }};\n")
+        body = self.call_function(function, twin, f"twin64_{index}", view, "R", "double", "DoubleWriter")
+        return f"{question}template <class R>\n{body}"
+
+    def call_function(self, function, twin, name, view, number, answer, writer):
         kinds = [p.type for p in function.parameters]
-        base = {"float": "float", "int": "int", "uint": "glm::uint", "bool": "bool",
-                "vec3": "glm::vec3", "uvec4": "glm::uvec4"}
-        types = [base.get(k, f"Witness::{k}") for k in kinds]
-        names = ", ".join(f"given{i}" for i in range(len(kinds)))
-        return (f"void witness{index}(Witness& witness, const std::uint32_t* "
-                f"{'in' if kinds else ''}, std::uint32_t* out) {{\n" +
-                self.cpp_body(types, kinds, f"witness.{function.name}({names})", function.result,
-                              "WordReader reader{in};", "WordWriter writer{out};"))
+        head = f"void {name}(const SceneView& {view}, const std::uint32_t* "
+        head += f"{'in' if kinds else ''}, {answer}* out) {{\n"
+        types = [self.twin_type(k, number) for k in kinds]
+        return head + self.cpp_body(types, kinds, self.twin_call(function, twin, number),
+                                    function.result, "probe::WordReader reader{in};",
+                                    f"probe::{writer} writer{{out}};")
 
     def slot_table(self, name, values):
         rows = [f'    {{"{path}", "{owner}", Kind::{kind}, {size}, {index}}},'
@@ -220,9 +224,9 @@ class Generator:
     def signature(self, function):
         return f"{function.name}({', '.join(p.type for p in function.parameters)})"
 
-    def test_file(self, file):
+    def functions_file(self, file):
         functions = [f for f in self.sources.functions if f.file == file]
-        twins, rest, names = [], [], []
+        calls, rows, names = [], [], []
         stem = pathlib.Path(file).stem
         for i, f in enumerate(functions):
             has_twin = f.name not in WITHOUT_TWIN
@@ -231,45 +235,40 @@ class Generator:
                                    f"these parameters in cpu/kernel/{stem}.h")
                 continue
             if has_twin:
-                twins.append(self.twin_function(f, i))
-            rest.append(self.witness_function(f, i))
-            rest.append(self.slot_table(f"inputs{i}", [(p.type, p.name) for p in f.parameters]))
-            rest.append(self.slot_table(f"outputs{i}", [(f.result, "result")]))
+                calls += [self.twin_function(f, i), self.twin64_function(f, i),
+                          f"template <class R>\nconstexpr Call64 call64_{i}() {{\n"
+                          f"  if constexpr (HasTwin{i}<R>) return &twin64_{i}<R>;\n"
+                          "  return nullptr;\n}\n"]
+            rows.append(self.slot_table(f"inputs{i}", [(p.type, p.name) for p in f.parameters]))
+            rows.append(self.slot_table(f"outputs{i}", [(f.result, "result")]))
             needs = self.needs[f.name]
             flags = ", ".join("true" if n in needs else "false"
                               for n in ("noise", "intersector", "integrator", "geometry"))
-            rest.append(f"constexpr ShaderFunction function{i} = {{\n"
+            twins = f"&kernel::twin{i}, kernel::call64_{i}<double>()" if has_twin else "nullptr, nullptr"
+            rows.append(f"constexpr ShaderFunction function{i} = {{\n"
                         f'    "{f.name}", "{self.signature(f)}", "{file}",\n'
                         f'    R"glsl({self.glsl_main(f)})glsl",\n'
-                        f"    inputs{i}, outputs{i}, {{{flags}}},\n"
-                        f"    {f'&kernel::twin{i}' if has_twin else 'nullptr'}, &witness{i}}};\n")
-            rest.append(f'TEST_CASE("{self.signature(f)} of {file} has the same bits everywhere", '
-                        f'"[parity][gl][{file}]") {{\n  checkParity(function{i});\n}}\n')
+                        f"    inputs{i}, outputs{i}, {{{flags}}},\n    {twins}}};\n")
             names.append(f"&function{i}")
         return "\n".join(
-            [f"// Generated by tests/parity/generate.py from shaders/{file} and cpu/kernel/{stem}.h.",
-             '#include "cpu/kernel/integrator.h"', '#include "kernel_transfer.h"',
-             '#include "tests/parity/parity.h"', '#include "tests/parity/words.h"',
-             '#include "witness_transfer.h"', "", "TWINTRACE_KERNEL_BEGIN", "namespace {", ""] +
-            twins + ["}  // namespace", "TWINTRACE_KERNEL_END", "", "namespace twintrace::parity {",
-                     "namespace {", ""] + rest +
+            [f"// Generated by experiments/probe/generate.py from shaders/{file} and "
+             f"cpu/kernel/{stem}.h.",
+             '#include "cpu/kernel/integrator.h"', '#include "experiments/probe/shader_function.h"',
+             '#include "experiments/probe/words.h"', '#include "kernel_transfer.h"', "",
+             "TWINTRACE_KERNEL_BEGIN", "namespace {", "",
+             "using Call64 = decltype(probe::ShaderFunction::twin64);", ""] + calls +
+            ["}  // namespace", "TWINTRACE_KERNEL_END", "", "namespace twintrace::probe {",
+             "namespace {", ""] + rows +
             ["}  // namespace", "",
              f"std::vector<const ShaderFunction*> functionsOf_{stem}() {{ return {{{', '.join(names)}}}; }}",
-             "", "}  // namespace twintrace::parity", ""])
+             "", "}  // namespace twintrace::probe", ""])
 
     def kernel_transfer(self):
         parts = [self.transfer(f"{s.name}<R>" if s.template else s.name, s.fields, s.template)
                  for name, s in self.ordered(self.sources.twin_structs)]
-        return ("// Generated by tests/parity/generate.py.\n#pragma once\n\n"
+        return ("// Generated by experiments/probe/generate.py.\n#pragma once\n\n"
                 '#include "cpu/kernel/integrator.h"\n\nTWINTRACE_KERNEL_BEGIN\n\n' +
                 "\n\n".join(parts) + "\n\nTWINTRACE_KERNEL_END\n")
-
-    def witness_transfer(self):
-        parts = [self.transfer(f"Witness::{s.name}", s.fields, "")
-                 for name, s in self.ordered(self.sources.structs)]
-        return ("// Generated by tests/parity/generate.py.\n#pragma once\n\n"
-                '#include "tests/parity/witness.h"\n\nnamespace twintrace::parity {\n\n' +
-                "\n\n".join(parts) + "\n\n}  // namespace twintrace::parity\n")
 
     def ordered(self, found):
         """Structures, each behind those that it contains."""
@@ -288,59 +287,31 @@ class Generator:
             add(name)
         return done
 
-    def is_wide(self, function):
-        """Whether each lane's answer is its own: not for questions about all lanes, nor for states
-        of paths, whose ended lanes hold values without meaning."""
-        kinds = [p.type for p in function.parameters]
-        twin = self.twin(function, wide=True)
-        if function.name in WITHOUT_TWIN or function.name == "anyLane" or not twin:
-            return False
-        if {"PathState", "Vertex"} & set(kinds):
-            return False
-        return not all(p.type in UNIFORM_TYPES for p in own_parameters(twin))
-
-    def wide_functions(self):
-        parts, rows = [], []
-        for i, f in enumerate(filter(self.is_wide, self.sources.functions)):
-            twin = self.twin(f, wide=True)
-            uniform = [p.type in UNIFORM_TYPES for p in own_parameters(twin)]
-            kinds = [p.type for p in f.parameters]
-            types = [self.twin_type(k, "WideFloat", u) for k, u in zip(kinds, uniform)]
-            inputs = sum(self.words(k) for k in kinds)
-            has_view = len(own_parameters(twin)) != len(twin.parameters)
-            parts.append(f"void wide{i}(const SceneView& {'view' if has_view else ''}, "
-                         "const std::uint32_t* in, std::uint32_t* out) {\n" +
-                         self.cpp_body(types, kinds, self.twin_call(f, twin, "WideFloat"), f.result,
-                                       f"LaneReader reader{{in, {inputs}}};",
-                                       f"LaneWriter writer{{out, {self.words(f.result)}}};"))
-            mask = sum(1 << n for n, u in enumerate(uniform) if u)
-            rows.append(f'    {{"{self.signature(f)}", {mask}u, {inputs}, '
-                        f'{self.words(f.result)}, &runWide<wide{i}, {inputs}, {self.words(f.result)}>}},')
-        return ("// Generated by tests/parity/generate.py.\n" + "\n".join(parts) +
-                "\nconstexpr WideFunction kWideFunctions[] = {\n" + "\n".join(rows) + "\n};\n")
-
     def all_functions(self):
         stems = [pathlib.Path(f).stem for f in self.sources.files]
         declared = "\n".join(f"std::vector<const ShaderFunction*> functionsOf_{s}();" for s in stems)
         calls = ", ".join(f"functionsOf_{s}()" for s in stems)
-        return ("// Generated by tests/parity/generate.py.\n"
-                '#include "tests/parity/parity.h"\n\nnamespace twintrace::parity {\n\n'
+        return ("// Generated by experiments/probe/generate.py.\n"
+                '#include "experiments/probe/shader_function.h"\n\nnamespace twintrace::probe {\n\n'
                 f"{declared}\n\nstd::vector<const ShaderFunction*> shaderFunctions() {{\n"
                 "  std::vector<const ShaderFunction*> all;\n"
                 f"  for (const auto& some : {{{calls}}}) {{\n"
                 "    all.insert(all.end(), some.begin(), some.end());\n  }\n  return all;\n}\n\n"
-                "}  // namespace twintrace::parity\n")
+                "}  // namespace twintrace::probe\n")
+
+    def texts(self):
+        """The files to write, by name."""
+        texts = {f"functions_{pathlib.Path(f).stem}.cpp": self.functions_file(f)
+                 for f in self.sources.files}
+        texts["all_functions.cpp"] = self.all_functions()
+        texts["kernel_transfer.h"] = self.kernel_transfer()
+        return texts
 
     def write(self, directory):
         directory.mkdir(parents=True, exist_ok=True)
-        texts = {f"parity_{pathlib.Path(f).stem}.cpp": self.test_file(f) for f in self.sources.files}
+        texts = self.texts()
         if self.errors:
             sys.exit("\n".join(self.errors))
-        texts["all_shaders.h"] = "".join(f'#include "shaders/{f}"\n' for f in self.sources.files)
-        texts["all_functions.cpp"] = self.all_functions()
-        texts["kernel_transfer.h"] = self.kernel_transfer()
-        texts["witness_transfer.h"] = self.witness_transfer()
-        texts["wide_functions.h"] = self.wide_functions()
         for name, text in texts.items():
             (directory / name).write_text(text)
 

@@ -1,27 +1,29 @@
+#include "experiments/probe/inputs.h"
+
 // Inputs for shader functions. Most functions take any bit pattern; where a contract restricts a
 // parameter (valid indices, random numbers in [0, 1], ...) or where arbitrary values would only ever
 // take one branch, its name decides what is drawn: first "function.path", then "Struct.member", then
 // the name alone, then whatever its type allows.
 
+#include "common/base/flush_denormals.h"
+
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <random>
+#include <string>
 #include <string_view>
 
-#include "common/base/flush_denormals.h"
-#include "tests/parity/parity.h"
-
-namespace twintrace::parity {
+namespace twintrace::probe {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kTiny = std::numeric_limits<float>::min();
 constexpr float kHuge = std::numeric_limits<float>::max();
-constexpr std::size_t kSpecialCount = 4096;
 
 /// Where a value is drawn from: a generator of random numbers, and whether special values are due.
 class Source {
@@ -69,6 +71,9 @@ float unitInterval(Source& from) {
   if (from.special()) return from.oneOf(kEnds);
   return static_cast<float>(from.bits() >> 8) * 5.9604644775390625e-8f;
 }
+
+/// Finite at all times, since it becomes an integer.
+float guessedMantissa(Source& from) { return from.uniform(0.5, 2.0); }
 
 /// Values in [low, high] mostly, any float when special ones are due.
 auto within(double low, double high) {
@@ -184,6 +189,7 @@ const Domains<float>& floatDomains() {
       {"inverse", unitInterval},
       {"phongInverse", unitInterval},
       {"phongScale", within(1.0, 1.5)},
+      {"guess", guessedMantissa},
       {"exponent", within(0.0, 200.0)},
       {"phongExponent", within(1.0, 1000.0)},
       {"cosTheta", within(-0.2, 1.0)},
@@ -344,4 +350,4 @@ std::vector<std::uint32_t> drawInputs(const ShaderFunction& function, const Worl
   return inputs;
 }
 
-}  // namespace twintrace::parity
+}  // namespace twintrace::probe
