@@ -4,7 +4,6 @@
 #include "cpu/kernel/wide.h"
 
 #include "common/base/flush_denormals.h"
-#include "cpu/kernel/integrator.h"
 #include "kernel_transfer.h"
 #include "tests/parity/wide_calls.h"
 
