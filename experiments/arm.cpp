@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 
 #include "common/base/error.h"
 #include "common/scene/option_names.h"
@@ -19,6 +20,19 @@ namespace {
 /// Options of which every value may change the samples.
 constexpr std::array kBitOptions = {"integrator",  "noise",   "maths", "precision",
                                     "intersector", "bounces", "seed"};
+
+/// As in `intersect.glsl=HASH,math.glsl=HASH`; the files' own names change no bit.
+std::string overrideHashes(const RenderOptions& options) {
+  std::map<std::string, std::string> hashes;
+  for (const ShaderReplacement& replacement : options.shaderOverrides) {
+    hashes[replacement.shader] = shaderTextHash(replacement.text);
+  }
+  std::string text;
+  for (const auto& [shader, hash] : hashes) {
+    text += (text.empty() ? "" : ",") + shader + "=" + hash;
+  }
+  return text;
+}
 
 EffectSet both(const EffectSet& a, const EffectSet& b) {
   EffectSet common;
@@ -90,6 +104,9 @@ FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const Rende
   }
   if (options.backend == BackEnd::gpu && !options.shaderDirectory.empty()) {
     metadata["shader_hash"] = shaderDirectoryHash(options.shaderDirectory);
+  }
+  if (options.backend == BackEnd::gpu && !options.shaderOverrides.empty()) {
+    metadata["shader_overrides"] = overrideHashes(options);
   }
   return metadata;
 }

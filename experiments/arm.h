@@ -25,7 +25,7 @@ std::shared_ptr<const FlatScene> flattenScene(const Scene& scene, const RenderOp
 
 /// What determines the bits of a film, save its samples. Strict maths in float gives equal bits on
 /// every back end, so back end, lanes, stage and hull are not part of it; native maths and double
-/// precision name what computed them, and shaders from a directory are named by their hash. Effects
+/// precision name what computed them, and shaders from a directory or of the user's are named by their hash. Effects
 /// count only where the scene needs them: branches compiled in for nothing change no bit.
 FilmMetadata filmMetadata(const Scene& scene, const FlatScene& flat, const RenderOptions& options);
 

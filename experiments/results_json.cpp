@@ -4,6 +4,7 @@
 #include "experiments/build_info.h"
 #include "experiments/effect_ledger.h"
 #include "experiments/machine.h"
+#include "experiments/shader_hash.h"
 
 namespace twintrace {
 namespace {
@@ -84,6 +85,16 @@ Json settingsJson(const ComparisonSettings& settings) {
   return {{"alpha", settings.alpha}, {"bound", settings.bound}, {"repeats", settings.repeats}};
 }
 
+Json overridesJson(const RenderOptions& options) {
+  Json overrides = Json::array();
+  for (const ShaderReplacement& replacement : options.shaderOverrides) {
+    overrides.push_back({{"shader", replacement.shader},
+                         {"file", replacement.file},
+                         {"hash", shaderTextHash(replacement.text)}});
+  }
+  return overrides;
+}
+
 }  // namespace
 
 Json machineJson() {
@@ -98,6 +109,7 @@ Json machineJson() {
 Json armJson(const Arm& arm) {
   return {{"options", objectOf(listOptions(arm.options))},
           {"shader_directory", arm.options.shaderDirectory},
+          {"shader_overrides", overridesJson(arm.options)},
           {"ran", objectOf(arm.renderer->provenance())},
           {"scene_hash", sceneHash(*arm.scene)},
           {"effects", effectNames(arm.scene->effects)}};

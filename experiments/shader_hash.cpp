@@ -44,7 +44,11 @@ std::string shaderDirectoryHash(const std::string& directory) {
   for (const auto& [name, text] : shaderTexts(directory)) {
     all += fmt::format("{}:{}:{}:{}", name.size(), name, text.size(), text);
   }
-  const XXH128_hash_t hash = XXH3_128bits(all.data(), all.size());
+  return shaderTextHash(all);
+}
+
+std::string shaderTextHash(const std::string& text) {
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 

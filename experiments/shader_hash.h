@@ -8,4 +8,7 @@ namespace twintrace {
 /// @throws IoError if one can't be read.
 std::string shaderDirectoryHash(const std::string& directory);
 
+/// Hash of a shader's text, as 32 hexadecimal digits.
+std::string shaderTextHash(const std::string& text);
+
 }  // namespace twintrace

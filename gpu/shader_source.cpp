@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/base/wording.h"
 #include "gpu/embedded_shaders.h"
 
 namespace twintrace {
@@ -217,7 +218,8 @@ ShaderLibrary::ShaderLibrary(std::filesystem::path directory, const Overrides& o
     const std::string relative = withoutRoot(path);
     if (!findOriginal(relative)) {
       throw UsageError("override of shaders/" + relative +
-                       ": found no such file, expected a file of the shader library");
+                       ": found no such file, expected a file of the shader library" +
+                       didYouMean(relative, paths()));
     }
     overrides_[relative] = replacement;
   }
@@ -228,6 +230,22 @@ std::optional<ShaderFile> ShaderLibrary::find(const std::string& path) const {
   if (replacement == overrides_.end()) return findOriginal(path);
   const auto& [text, origin] = replacement->second;
   return ShaderFile{text, origin.empty() ? std::string(kRootPrefix) + path : origin};
+}
+
+std::vector<std::string> ShaderLibrary::paths() const {
+  std::vector<std::string> found;
+  if (directory_.empty()) {
+    for (const EmbeddedShader& shader : embeddedShaders()) found.emplace_back(shader.path);
+    return found;
+  }
+  std::error_code failed;
+  for (std::filesystem::recursive_directory_iterator at(directory_, failed), end;
+       !failed && at != end; at.increment(failed)) {
+    if (at->path().extension() != ".glsl") continue;
+    found.push_back(at->path().lexically_relative(directory_).generic_string());
+  }
+  std::ranges::sort(found);
+  return found;
 }
 
 std::optional<ShaderFile> ShaderLibrary::findOriginal(const std::string& path) const {

@@ -35,6 +35,9 @@ class ShaderLibrary {
   /// The file at the path relative to the shader root, or nothing.
   std::optional<ShaderFile> find(const std::string& path) const;
 
+  /// All files, relative to the shader root, sorted.
+  std::vector<std::string> paths() const;
+
  private:
   std::optional<ShaderFile> findOriginal(const std::string& path) const;
 

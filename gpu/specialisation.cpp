@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "common/base/error.h"
 #include "common/scene/layout.h"
 
@@ -88,6 +90,13 @@ class LiteralGeometry {
   int primitive_ = 0;
 };
 
+constexpr const char* kGeometryFile = "geometry.glsl";
+
+bool overridesGeometry(const RenderOptions& options) {
+  return std::ranges::find(options.shaderOverrides, kGeometryFile, &ShaderReplacement::shader) !=
+         options.shaderOverrides.end();
+}
+
 }  // namespace
 
 bool usesLiteralGeometry(const FlatScene& scene, const RenderOptions& options) {
@@ -97,8 +106,15 @@ bool usesLiteralGeometry(const FlatScene& scene, const RenderOptions& options) {
     throw UsageError(fmt::format("geometry literal with {} primitives, expected at most {}", count,
                                  kMaxLiteralPrimitives));
   }
+  if (options.geometry == Geometry::literal && overridesGeometry(options)) {
+    throw UsageError(fmt::format(
+        "found geometry literal with an override of shaders/{}, expected geometry buffer: "
+        "literals take that file's place",
+        kGeometryFile));
+  }
   // Somebody who works on the shaders wants to see the file geometry.glsl at work.
-  if (options.geometry == Geometry::automatic && !options.shaderDirectory.empty()) return false;
+  const bool worksOnGeometry = !options.shaderDirectory.empty() || overridesGeometry(options);
+  if (options.geometry == Geometry::automatic && worksOnGeometry) return false;
   return count <= kMaxLiteralPrimitives;
 }
 
@@ -124,6 +140,14 @@ std::vector<std::pair<std::string, int>> indexConstants(const SceneIndex& index)
           {"kEnvironmentHeight", index.environmentHeight}};
 }
 
+ShaderLibrary shaderLibrary(const RenderOptions& options) {
+  ShaderLibrary::Overrides overrides;
+  for (const ShaderReplacement& replacement : options.shaderOverrides) {
+    overrides[replacement.shader] = {replacement.text, replacement.file};
+  }
+  return ShaderLibrary(options.shaderDirectory, overrides);
+}
+
 ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options) {
   ShaderRequest request;
   request.main =
@@ -135,7 +159,7 @@ ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options) {
       constant("int", "kIntegrator", std::to_string(static_cast<int>(options.integrator))) +
       indexText(scene, usesUniformIndex(scene, options));
   if (usesLiteralGeometry(scene, options)) {
-    request.virtualFiles["geometry.glsl"] = LiteralGeometry(scene).text();
+    request.virtualFiles[kGeometryFile] = LiteralGeometry(scene).text();
   }
   if (options.maths == Maths::native) {
     request.aliases["math.glsl"] = "math_native.glsl";

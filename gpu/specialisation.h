@@ -11,7 +11,8 @@ namespace twintrace {
 inline constexpr int kMaxLiteralPrimitives = 64;
 
 /// Whether the program gets the geometry as literals: asked for, or automatic and small enough.
-/// @throws UsageError if literals were asked for and the scene has too many primitives.
+/// @throws UsageError if literals were asked for and the scene has too many primitives, or the file
+/// that they replace is overridden.
 bool usesLiteralGeometry(const FlatScene& scene, const RenderOptions& options);
 
 /// Whether counts and offsets are uniforms, so that one program serves every scene: with all effects
@@ -20,6 +21,10 @@ bool usesUniformIndex(const FlatScene& scene, const RenderOptions& options);
 
 /// Names and values of the scene's counts and offsets as the shaders know them.
 std::vector<std::pair<std::string, int>> indexConstants(const SceneIndex& index);
+
+/// The shader files that the options name: a directory's or the binary's, and the user's own.
+/// @throws UsageError for an override of a file that the library doesn't have.
+ShaderLibrary shaderLibrary(const RenderOptions& options);
 
 /// The program that renders this scene under these options.
 ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options);

@@ -48,8 +48,10 @@ class GpuRenderer : public Renderer {
         programs_(*context_),
         timer_(*context_) {
     const Context::Current current = context_->use();
-    const ShaderLibrary library(options.shaderDirectory);
-    program_ = programs_.get(options.stage, assembleShader(library, specialise(*scene_, options)));
+    const ShaderSource source =
+        assembleShader(shaderLibrary(options), specialise(*scene_, options));
+    unusedOverrides_ = unusedOverrides(source);
+    program_ = programs_.get(options.stage, source);
     texels_.emplace(*context_, scene_->texels);
     if (options.stage == Stage::fragment) {
       target_.emplace(*context_, tileWidth_, tileHeight_);
@@ -83,11 +85,22 @@ class GpuRenderer : public Renderer {
                         {"gl_source", context_->source()},
                         {"geometry", usesLiteralGeometry(*scene_, options_) ? "literal" : "buffer"},
                         {"program", programs_.counts().compiled > 0 ? "compiled" : "cached"}};
+    if (!unusedOverrides_.empty()) facts.emplace_back("unused_overrides", unusedOverrides_);
     if (deviceSeconds_ > 0) facts.emplace_back("device_seconds", std::to_string(deviceSeconds_));
     return facts;
   }
 
  private:
+  /// Shaders whose replacement the program doesn't include, as in "math.glsl, path.glsl".
+  std::string unusedOverrides(const ShaderSource& source) const {
+    std::string unused;
+    for (const ShaderReplacement& replacement : options_.shaderOverrides) {
+      const bool used = std::ranges::find(source.files, replacement.file) != source.files.end();
+      if (!used) unused += (unused.empty() ? "" : ", ") + replacement.shader;
+    }
+    return unused;
+  }
+
   std::size_t tilePixels() const {
     return static_cast<std::size_t>(tileWidth_) * static_cast<std::size_t>(tileHeight_);
   }
@@ -149,6 +162,7 @@ class GpuRenderer : public Renderer {
   std::optional<StorageBuffer> storage_;
   TimerQuery timer_;
   std::vector<float> pixels_;
+  std::string unusedOverrides_;
   double deviceSeconds_ = 0;
 };
 

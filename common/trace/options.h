@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace twintrace {
 
@@ -15,6 +16,13 @@ enum class Noise { sine, pcg };
 enum class Intersector { report, robust };
 enum class Geometry { automatic, literal, buffer };
 enum class Provider { osmesa, egl };
+
+/// A user's file in the place of one of the shader library.
+struct ShaderReplacement {
+  std::string shader;  ///< path below shaders/, as in "math.glsl"
+  std::string file;    ///< where the text was read; its name in messages
+  std::string text;
+};
 
 /// Everything that decides how a scene is rendered, with the defaults of the command line. Scene
 /// files set them in [render], arms of `compare` and options of every command override them.
@@ -49,6 +57,7 @@ struct RenderOptions {
   double targetError = 0;        ///< relative standard error of the image mean; 0 = none
   int threads = 0;               ///< 0 = all
   std::string shaderDirectory;   ///< empty = the shaders embedded in the binary
+  std::vector<ShaderReplacement> shaderOverrides;  ///< of later ones of a shader the last counts
 
   /// Frames needed for spp samples: ceil(spp / passes).
   int frameCount() const { return (spp + passes - 1) / passes; }

@@ -67,6 +67,8 @@ class CompareCommand {
     prepareOutputs();
     Arm a = openArm(scene, options.a);
     Arm b = openArm(scene, options.b);
+    warnOfUnusedOverrides(console_, "a", a);
+    warnOfUnusedOverrides(console_, "b", b);
     ArmsComparison result = render(a, b, paired);
     auto& allNotes = result.comparison.notes;
     allNotes.insert(allNotes.begin(), notes.begin(), notes.end());
@@ -106,6 +108,7 @@ class CompareCommand {
     const GivenOptions givenB = givenFor("gpu", listB_);
     ArmOptions options{setArm("--a", common, givenA), setArm("--b", common, givenB)};
     checkArms(options);
+    checkOverrides(options);
     const bool liftA = stopRuleDecides(options.a, givenA);
     const bool liftB = stopRuleDecides(options.b, givenB);
     // The limits must not unpair arms: the first rule that holds stops both.
@@ -113,6 +116,13 @@ class CompareCommand {
     if (liftA || liftBoth) liftSampleLimit(options.a);
     if (liftB || liftBoth) liftSampleLimit(options.b);
     return options;
+  }
+
+  static void checkOverrides(const ArmOptions& options) {
+    const bool given = !options.a.shaderOverrides.empty() || !options.b.shaderOverrides.empty();
+    const bool onGpu = options.a.backend == BackEnd::gpu || options.b.backend == BackEnd::gpu;
+    if (!given || onGpu) return;
+    throw UsageError("found --override with two arms of backend cpu, expected backend gpu");
   }
 
   GivenOptions givenFor(const char* backEnd, const std::string& armList) const {

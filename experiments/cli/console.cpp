@@ -55,4 +55,14 @@ void warnOfBadFrames(const Console& console, const std::string& what, const Film
       what, film.badFrameCount(), places);
 }
 
+void warnOfUnusedOverrides(const Console& console, const std::string& what, const Arm& arm) {
+  for (const auto& [name, value] : arm.renderer->provenance()) {
+    if (name != "unused_overrides") continue;
+    console.err << fmt::format(
+        "twintrace: warning: {}: the program does not include {}, so that the override has no "
+        "effect\n",
+        what, value);
+  }
+}
+
 }  // namespace twintrace

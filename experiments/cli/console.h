@@ -34,4 +34,7 @@ void answer(const Console& console, const AnswerOptions& options, const Json& js
 /// Counted, located and never hidden: a warning about frames that were left out of a film.
 void warnOfBadFrames(const Console& console, const std::string& what, const Film& film);
 
+/// A warning about files that took the place of shaders which the arm's program doesn't include.
+void warnOfUnusedOverrides(const Console& console, const std::string& what, const Arm& arm);
+
 }  // namespace twintrace

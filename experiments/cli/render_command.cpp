@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/base/error.h"
 #include "common/film/film_file.h"
 #include "common/scene/option_names.h"
 #include "common/scene/reader.h"
@@ -37,9 +38,13 @@ class RenderCommand {
     const Scene scene = readScene(scenePath_);
     const RenderOptions options = applyOptions(scene.render, given_);
     checkOptions(options);
+    if (options.backend == BackEnd::cpu && !options.shaderOverrides.empty()) {
+      throw UsageError("found --override with backend cpu, expected backend gpu");
+    }
     chooseOutputs(scene.name);
     checkOutputs();
     Arm arm = openArm(scene, options);
+    warnOfUnusedOverrides(console_, scene.name, arm);
     const RenderResult result = render(arm);
     warnOfBadFrames(console_, scene.name, result.film);
     OutputAttempts attempts;

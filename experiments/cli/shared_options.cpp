@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "common/base/error.h"
 #include "common/base/wording.h"
 #include "common/film/exact_sum.h"
 #include "common/scene/option_names.h"
+#include "experiments/shader_override.h"
 
 namespace twintrace {
 namespace {
@@ -17,6 +19,28 @@ void checkShaderDirectory(const std::string& directory) {
   std::error_code error;
   if (directory.empty() || std::filesystem::is_directory(directory, error)) return;
   throw UsageError("shader-dir: found " + quote(directory) + ", expected a directory");
+}
+
+/// An arm's list without its overrides, and these.
+struct ArmList {
+  std::string settings;
+  std::vector<std::string> overrides;
+};
+
+/// Overrides hold a second `=`, so they are taken out before the list is read as `name=value`.
+ArmList splitArmList(const std::string& list) {
+  constexpr std::string_view kKey = "override=";
+  if (("," + list).find("," + std::string(kKey)) == std::string::npos) return {list, {}};
+  ArmList found;
+  std::istringstream parts(list);
+  for (std::string part; std::getline(parts, part, ',');) {
+    if (part.starts_with(kKey)) {
+      found.overrides.push_back(part.substr(kKey.size()));
+    } else {
+      found.settings += (found.settings.empty() ? "" : ",") + part;
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -40,6 +64,13 @@ void addRenderOptions(CLI::App& command, GivenOptions& given) {
       .add_option("--shader-dir", given.shaderDirectory,
                   "read the shaders from this directory, not from the program")
       ->group("Rendering");
+  command
+      .add_option("--override", given.overrides,
+                  "put a file in the place of a shader on the GPU; may be given several times")
+      ->type_name("shaders/X.glsl=FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group("Rendering");
 }
 
 void addAnswerOptions(CLI::App& command, AnswerOptions& options) {
@@ -49,9 +80,15 @@ void addAnswerOptions(CLI::App& command, AnswerOptions& options) {
 
 RenderOptions layOptions(RenderOptions options, const GivenOptions& given) {
   for (const auto& [name, value] : given.list) setOption(options, name, value);
-  setOptions(options, given.armList);
+  const auto [settings, ownOverrides] = splitArmList(given.armList);
+  setOptions(options, settings);
   checkShaderDirectory(given.shaderDirectory);
   options.shaderDirectory = given.shaderDirectory;
+  for (const auto& overrides : {given.overrides, ownOverrides}) {
+    for (const std::string& assignment : overrides) {
+      options.shaderOverrides.push_back(readShaderOverride(assignment, given.shaderDirectory));
+    }
+  }
   return options;
 }
 

@@ -16,20 +16,22 @@ namespace twintrace {
 struct GivenOptions {
   std::vector<std::pair<std::string, std::string>> list;  ///< name and value
   std::string shaderDirectory;
+  std::vector<std::string> overrides;  ///< as in `shaders/X.glsl=FILE`
   std::string armList;  ///< `--a` or `--b` of compare, laid over `list`
 
   bool has(std::string_view name) const;
-  bool empty() const { return list.empty() && shaderDirectory.empty(); }
+  bool empty() const { return list.empty() && shaderDirectory.empty() && overrides.empty(); }
 };
 
-/// Adds `--name` for every option of renderOptionTable() and `--shader-dir`.
+/// Adds `--name` for every option of renderOptionTable(), `--shader-dir` and `--override`.
 void addRenderOptions(CLI::App& command, GivenOptions& given);
 
 /// Adds `--json` and `--quiet`.
 void addAnswerOptions(CLI::App& command, AnswerOptions& options);
 
 /// Lays the given options over a scene's.
-/// @throws UsageError as setOption does, and for a shader directory that is none.
+/// @throws UsageError as setOption does, for a shader directory that is none, and as
+/// readShaderOverride does.
 RenderOptions layOptions(RenderOptions options, const GivenOptions& given);
 
 /// Whether a stop rule is given without spp, so that the scene's limit on samples must not end the

@@ -69,6 +69,21 @@ TEST_CASE("filmMetadata names shaders from a directory by their texts", "[experi
   CHECK(metadataOf(gpu) == metadataOf(ballOptions()));
 }
 
+TEST_CASE("filmMetadata names overrides by shader and text, not by file", "[experiments]") {
+  RenderOptions gpu = ballOptions();
+  gpu.backend = BackEnd::gpu;
+  CHECK_FALSE(metadataOf(gpu).contains("shader_overrides"));
+  gpu.shaderOverrides = {{"math.glsl", "a", "one"}};
+  const std::string hash = metadataOf(gpu).at("shader_overrides");
+  CHECK(hash.find("math.glsl=") == 0);
+  gpu.shaderOverrides = {{"math.glsl", "b", "one"}};
+  CHECK(metadataOf(gpu).at("shader_overrides") == hash);
+  gpu.shaderOverrides = {{"math.glsl", "a", "two"}};
+  CHECK(metadataOf(gpu).at("shader_overrides") != hash);
+  gpu.backend = BackEnd::cpu;
+  CHECK(metadataOf(gpu) == metadataOf(ballOptions()));
+}
+
 TEST_CASE("openArm names the driver of native maths", "[experiments][gl]") {
   RenderOptions gpu = ballOptions();
   gpu.backend = BackEnd::gpu;
