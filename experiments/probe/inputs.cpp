@@ -278,18 +278,26 @@ const Domains<int>& intDomains() {
   return domains;
 }
 
+/// What the names of the slot say to draw from, or nullptr.
 template <class Value>
-Value draw(const Domains<Value>& domains, const ShaderFunction& function, const Slot& slot,
-           Source& from, Value (*otherwise)(Source&)) {
+const std::function<Value(Source&)>* domainOf(const Domains<Value>& domains,
+                                              const ShaderFunction& function, const Slot& slot) {
   const std::string_view path = slot.path;
   const std::size_t dot = path.rfind('.');
   const std::string name(dot == std::string_view::npos ? path : path.substr(dot + 1));
   for (const std::string& key :
        {std::string(function.name) + "." + slot.path, std::string(slot.owner) + "." + name, name}) {
     const auto found = domains.find(key);
-    if (found != domains.end()) return found->second(from);
+    if (found != domains.end()) return &found->second;
   }
-  return otherwise(from);
+  return nullptr;
+}
+
+template <class Value>
+Value draw(const Domains<Value>& domains, const ShaderFunction& function, const Slot& slot,
+           Source& from, Value (*otherwise)(Source&)) {
+  const auto* domain = domainOf(domains, function, slot);
+  return domain != nullptr ? (*domain)(from) : otherwise(from);
 }
 
 bool isRayInverse(const Slot& slot) {
@@ -330,6 +338,21 @@ void drawSlot(const ShaderFunction& function, const Slot& slot, Source& from, st
   }
 }
 
+/// The finite float so many ulp further from zero; as it is where that leaves the finite ones.
+std::uint32_t movedBy(std::uint32_t word, int ulps) {
+  const std::int64_t size = (word & 0x7fffffffu) + std::int64_t{ulps};
+  if ((word & 0x7f800000u) == 0x7f800000u || size < 0 || size >= 0x7f800000) return word;
+  return (word & 0x80000000u) | static_cast<std::uint32_t>(size);
+}
+
+void addWithNeighbours(std::vector<std::uint32_t>& words, float value) {
+  for (int ulps = -2; ulps <= 2; ++ulps) {
+    for (const float side : {value, -value}) {
+      words.push_back(movedBy(std::bit_cast<std::uint32_t>(side), ulps));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> drawInputs(const ShaderFunction& function, const World& world,
@@ -348,6 +371,46 @@ std::vector<std::uint32_t> drawInputs(const ShaderFunction& function, const Worl
     }
   }
   return inputs;
+}
+
+std::vector<std::uint32_t> drawNear(const ShaderFunction& function,
+                                    std::span<const std::uint32_t> record, std::size_t count,
+                                    std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<int> ulps(-64, 64);
+  std::vector<std::uint32_t> inputs;
+  for (std::size_t i = 0; i < count; ++i) {
+    inputs.insert(inputs.end(), record.begin(), record.end());
+    std::uint32_t* words = &inputs[i * record.size()];
+    for (const Slot& slot : function.inputs) {
+      if (isRayInverse(slot)) {
+        invertDirection(words);
+      } else if (slot.kind == Kind::real) {
+        for (int k = 0; k < slot.size; ++k) words[k] = movedBy(words[k], ulps(random));
+      }
+      words += slot.size;
+    }
+  }
+  return inputs;
+}
+
+std::vector<std::uint32_t> boundaryInputs(const ShaderFunction& function) {
+  constexpr int kMultiples = 1024;
+  constexpr double kEighthTurn = 0.78539816339744830962;
+  std::vector<std::uint32_t> words;
+  if (function.inputs.size() != 1) return words;
+  const Slot& slot = function.inputs.front();
+  if (slot.kind != Kind::real || slot.size != 1) return words;
+  if (domainOf(floatDomains(), function, slot) != nullptr) return words;
+  for (int exponent = -126; exponent < 128; ++exponent) {
+    addWithNeighbours(words, std::ldexp(1.0f, exponent));
+    addWithNeighbours(words, std::ldexp(std::sqrt(0.5f), exponent));
+  }
+  for (int i = 1; i <= kMultiples; ++i) {
+    addWithNeighbours(words, static_cast<float>(i * kEighthTurn));
+    addWithNeighbours(words, static_cast<float>(i) * 0.5f);
+  }
+  return words;
 }
 
 }  // namespace twintrace::probe

@@ -34,6 +34,7 @@ struct ShaderFunction {
   std::span<const Slot> inputs;
   std::span<const Slot> outputs;
   Needs needs;
+  bool inNative;  ///< whether native maths has it
   /// The float twin; null where there is none with the same parameters.
   void (*twin)(const kernel::SceneView& view, const std::uint32_t* in, std::uint32_t* out);
   /// The double twin of the same inputs; integers and truth values are numbers too. Null where the

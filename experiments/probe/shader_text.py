@@ -133,7 +133,14 @@ class Sources:
         self.twin_files = sorted(p.name for p in (root / "cpu/kernel").glob("*.h"))
         self.twin_texts = {n: (root / "cpu/kernel" / n).read_text() for n in self.twin_files}
         self.twins = {n: cpp_functions(t, n) for n, t in self.twin_texts.items()}
+        self.native = {(f.name, tuple(p.type for p in f.parameters))
+                       for f in glsl_functions((root / "shaders" / NATIVE).read_text(), NATIVE)}
         self.twin_structs = {s.name: s for n, t in self.twin_texts.items() for s in structs(t, n)}
+
+    def in_native(self, function):
+        """Whether native maths, which takes NATIVE for math.glsl, has the function."""
+        parameters = tuple(p.type for p in function.parameters)
+        return function.file != "math.glsl" or (function.name, parameters) in self.native
 
 
 # Shader functions without a twin of the same signature, and why. They are reached through their
