@@ -14,6 +14,10 @@ void putInOrder(float& low, float& high) {
   if (low > high) std::swap(low, high);
 }
 
+glm::vec3 withoutDenormals(const glm::vec3& v) {
+  return {withoutDenormal(v.x), withoutDenormal(v.y), withoutDenormal(v.z)};
+}
+
 }  // namespace
 
 int valueCount(CaseKind kind) {
@@ -42,6 +46,14 @@ CasePrimitive normalised(CasePrimitive primitive) {
     for (int axis = 12; axis < 15; ++axis) v[axis] = std::fabs(v[axis]);
   }
   return primitive;
+}
+
+CastRay normalised(CastRay ray) {
+  ray.origin = withoutDenormals(ray.origin);
+  ray.direction = withoutDenormals(ray.direction);
+  ray.tmin = withoutDenormal(ray.tmin);
+  ray.tmax = withoutDenormal(ray.tmax);
+  return ray;
 }
 
 }  // namespace twintrace

@@ -34,6 +34,9 @@ int valueCount(CaseKind kind);
 /// a radius and half sizes count by their absolute values.
 CasePrimitive normalised(CasePrimitive primitive);
 
+/// The ray as all engines see it: denormal components are zero.
+CastRay normalised(CastRay ray);
+
 /// A tiny scene: a range of a case set's primitives.
 struct CaseScene {
   std::uint32_t first = 0;
@@ -48,8 +51,12 @@ struct CaseRay {
 
 /// What a ray does after its hit: it leaves the surface by the engine's own offset, on the side that it
 /// came from, into the cosine-weighted direction of these two random numbers in [0, 1), and is cast
-/// again over [0, largest float]. The answer is then that second hit.
+/// again over [0, largest float]. The answer is then that second hit; a ray whose first cast misses
+/// has not started, and its answer's primitive is kBounceNotStarted.
 using Bounce = glm::vec2;
+
+/// Primitive of the answer to a bounce whose first cast missed.
+inline constexpr std::int32_t kBounceNotStarted = -2;
 
 /// Many tiny scenes with their rays, cast in one go.
 struct CaseSet {

@@ -176,6 +176,13 @@ int anyTexel(Source& from) {
   return from.integer(0, static_cast<int>(from.world.scene.texels.size()) - 1);
 }
 
+/// One of the first of the world's cases, so that a few more lie behind it.
+int caseTexel(Source& from) {
+  const int cases = static_cast<int>(from.world.scene.texels.size()) -
+                    kWorldCases * layout::kCaseTexels;
+  return cases + from.integer(0, kWorldCases / 3) * layout::kCaseTexels;
+}
+
 template <class Value>
 using Domains = std::map<std::string, std::function<Value(Source&)>, std::less<>>;
 
@@ -200,6 +207,10 @@ const Domains<float>& floatDomains() {
       {"distance", distance},
       {"tmin", nearEnd},
       {"tmax", farEnd},
+      {"reach", within(0.0, 3.0)},
+      {"castCase.scale", within(0.5, 2.0)},
+      {"intersectCase.scale", within(0.5, 2.0)},
+      {"caseSurface.scale", within(0.5, 2.0)},
       {"offset", within(0.0, 1e-5)},
       {"error", within(0.0, 1e-5)},
       {"angle", within(-0.8, 0.8)},
@@ -261,6 +272,15 @@ const Domains<int>& intDomains() {
       {"fetchPlane.index", below(&SceneIndex::planeCount)},
       {"fetchLight.index", below(&SceneIndex::lightCount)},
       {"fetchTexel.index", anyTexel},
+      {"texel", caseTexel},
+      {"firstTexel", caseTexel},
+      {"count", between(0, kWorldCases / 3)},
+      {"surfaceInView.hit.primitive", validPrimitive},
+      {"bounceInView.hit.primitive", validPrimitive},
+      {"powerOfTwo.exponent", between(-126, 127)},
+      {"scaledByPower.exponent", between(-252, 254)},
+      {"room", between(-94, 126)},
+      {"shift", between(-221, 252)},
       {"fetchPrimitiveInfo.primitive", validPrimitive},
       {"primitive", anyPrimitive},
       {"material", below(&SceneIndex::materialCount)},

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "common/cast/case_texels.h"
 #include "common/scene/reader.h"
 
 namespace twintrace::probe {
@@ -111,6 +112,25 @@ void addEnvironment(FlatScene& scene) {
   }
 }
 
+// One primitive of each kind near the origin, again and again, a little further along x.
+void addCases(FlatScene& scene) {
+  const CasePrimitive kinds[] = {
+      {CaseKind::sphere, {-0.6f, 0.1f, 0.2f, 0.7f}},
+      {CaseKind::box, {-0.5f, -0.4f, -0.6f, 0.3f, 0.5f, 0.4f}},
+      {CaseKind::orientedBox,
+       {0.1f, 0.2f, -0.3f, 0.8f, 0.6f, 0.0f, -0.6f, 0.8f, 0.0f, 0.0f, 0.0f, 1.0f, 0.5f, 0.3f, 0.4f}},
+      {CaseKind::plane, {0.02f, 1.0f, -0.01f, 0.0f, -0.6f, 0.0f}},
+      {CaseKind::triangle, {-0.9f, -0.7f, 0.1f, 0.8f, -0.5f, -0.2f, 0.1f, 0.9f, 0.3f}}};
+  CaseSet cases;
+  for (int i = 0; i < kWorldCases; ++i) {
+    CasePrimitive primitive = kinds[i % 5];
+    primitive.values[0] += 0.25f * static_cast<float>(i / 5);
+    cases.primitives.push_back(normalised(primitive));
+  }
+  const CaseTexels packed = packCases(cases);
+  scene.texels.insert(scene.texels.end(), packed.texels.begin(), packed.texels.end());
+}
+
 World makeWorld(const std::string& name, const RenderOptions& options) {
   World world;
   world.name = name;
@@ -118,6 +138,7 @@ World makeWorld(const std::string& name, const RenderOptions& options) {
   world.options.effects = "all";
   world.scene = flatten(parseScene(kScene, "probe.toml"), world.options);
   addEnvironment(world.scene);
+  addCases(world.scene);
   world.view = kernel::viewScene(world.scene, world.options, nullptr);
   return world;
 }

@@ -9,6 +9,9 @@
 
 namespace twintrace::probe {
 
+/// Primitives of cases, of all kinds, that every world's texels end with.
+inline constexpr int kWorldCases = 18;
+
 /// A small scene under one set of options, for functions that read scene data or constants. Movable
 /// only: the view points into the scene.
 struct World {

@@ -11,6 +11,26 @@ const int kInfoTexels = 1;         // emission of its material, material index (
 const int kMaterialTexels = 7;     // scattering 0-2, reflectance 1-4, local shading 3, 5, 6
 const int kLightTexels = 3;        // see fetchLight
 
+// A primitive of a case: 12 of its values in the x, y and z of its texels; in their w its kind and the
+// three others.
+const int kCaseTexels = 4;
+// A ray of a case: origin, tmin; direction, tmax; first texel of its primitives (int), their count
+// (int), their largest coordinate, whether it bounces (int); the bounce's two random numbers.
+const int kCaseRayTexels = 4;
+// The answer: t, normal, primitive.
+const int kCaseAnswerFloats = 5;
+
+// Kinds of primitives in cases.
+const int kCaseSphere = 0;
+const int kCaseBox = 1;
+const int kCaseOrientedBox = 2;
+const int kCasePlane = 3;
+const int kCaseTriangle = 4;
+
+// A case's primitive when nothing was hit, and when the ray that should have bounced hit nothing.
+const int kCaseMiss = -1;
+const int kCaseNotStarted = -2;
+
 // Lobe codes of a material's specular part.
 const int kLobeNone = 0;
 const int kLobeMirror = 1;

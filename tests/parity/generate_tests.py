@@ -57,12 +57,15 @@ class TestGenerator(Generator):
 
     def is_wide(self, function):
         """Whether each lane's answer is its own: not for questions about all lanes, nor for states
-        of paths, whose ended lanes hold values without meaning."""
+        of paths, whose ended lanes hold values without meaning, nor for cases, which are cast ray by
+        ray."""
         kinds = [p.type for p in function.parameters]
         twin = self.twin(function, wide=True)
         if function.name in WITHOUT_TWIN or function.name == "anyLane" or not twin:
             return False
         if {"PathState", "Vertex"} & set(kinds):
+            return False
+        if {"CaseQuery", "CaseView"} & {*kinds, function.result}:
             return False
         if not twin.template and twin.file != "wide.h":
             return False  # a twin for scalars alone
