@@ -71,15 +71,16 @@ const Family& findFamily(std::string_view name) {
   return findRecipe(name).family;
 }
 
-CaseSet drawFamily(std::string_view name, std::uint32_t count, std::uint64_t seed) {
+CaseSet drawFamily(std::string_view name, std::uint32_t count, std::uint64_t seed,
+                   std::uint64_t first) {
   const FamilyRecipe& recipe = findRecipe(name);
   const std::uint64_t own = mixSeed(seed, hashOf(name));
   // Scenes have numbers of their own, or they would repeat those of their first ray.
   const std::uint64_t ofScenes = mixSeed(own, hashOf("scene"));
   CaseSet cases;
   Case shared;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const bool newScene = !recipe.scene || i % kRaysPerScene == 0;
+  for (std::uint64_t i = first; i < first + count; ++i) {
+    const bool newScene = !recipe.scene || i == first || i % kRaysPerScene == 0;
     if (recipe.scene && newScene) {
       CaseRandom random(mixSeed(ofScenes, i / kRaysPerScene));
       shared.primitives = recipe.scene(random);

@@ -33,9 +33,11 @@ const std::vector<Family>& families();
 /// The family of that name. @throws UsageError with a suggestion if there is none.
 const Family& findFamily(std::string_view name);
 
-/// Draws rays with their scenes. They depend on name, count and seed alone, and a longer draw
-/// begins with the shorter one.
+/// Draws rays with their scenes. A ray depends on name, seed and its number alone, so that a family
+/// can be drawn in parts.
+/// @param first number of the first ray
 /// @throws UsageError if there is no such family.
-CaseSet drawFamily(std::string_view name, std::uint32_t count, std::uint64_t seed);
+CaseSet drawFamily(std::string_view name, std::uint32_t count, std::uint64_t seed,
+                   std::uint64_t first = 0);
 
 }  // namespace twintrace

@@ -54,6 +54,19 @@ TEST_CASE("drawFamily depends on name, count and seed alone", "[cast]") {
   }
 }
 
+TEST_CASE("a family can be drawn in parts", "[cast]") {
+  for (const Family& family : families()) {
+    INFO(family.name);
+    const CaseSet whole = drawFamily(family.name, 300, 5);
+    const CaseSet part = drawFamily(family.name, 20, 5, 270);
+    for (std::size_t i = 0; i < part.rays.size(); ++i) {
+      CHECK(sameRay(part.rays[i].ray, whole.rays[270 + i].ray));
+      CHECK(part.primitivesOf(part.rays[i]).back().values ==
+            whole.primitivesOf(whole.rays[270 + i]).back().values);
+    }
+  }
+}
+
 TEST_CASE("drawFamily draws finite rays and primitives", "[cast]") {
   for (const Family& family : families()) {
     INFO(family.name);
