@@ -1,0 +1,18 @@
+#include "cpu/trace/path_trace.h"
+
+#include "cpu/embree_hull.h"
+#include "cpu/trace/entry.h"
+
+namespace twintrace {
+
+CpuPathTracer::CpuPathTracer(std::shared_ptr<const FlatScene> scene, const RenderOptions& options)
+    : scene_(std::move(scene)),
+      options_(options),
+      hull_(options.hull == "embree" ? makeEmbreeHull(*scene_, options) : nullptr),
+      program_(tracedKernelProgram()) {}
+
+CallTrace CpuPathTracer::trace(const PixelPosition& pixel, std::uint32_t sample) const {
+  return runTracedKernel({scene_.get(), &options_, hull_.get(), pixel.x, pixel.y, sample});
+}
+
+}  // namespace twintrace
