@@ -148,12 +148,18 @@ ShaderLibrary shaderLibrary(const RenderOptions& options) {
   return ShaderLibrary(options.shaderDirectory, overrides);
 }
 
-ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options) {
+std::string correctionConstants(const Corrections& corrections) {
+  return boolConstant("kCorrectedDivision", corrections.division) +
+         boolConstant("kCorrectedRoot", corrections.root);
+}
+
+ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options,
+                         const Corrections& corrections) {
   ShaderRequest request;
   request.main =
       options.stage == Stage::fragment ? "mains/fragment.glsl" : "mains/compute.glsl";
   request.prelude =
-      effectConstants(scene.effects) +
+      correctionConstants(corrections) + effectConstants(scene.effects) +
       boolConstant("kNoiseSine", options.noise == Noise::sine) +
       boolConstant("kIntersectorReport", options.intersector == Intersector::report) +
       constant("int", "kIntegrator", std::to_string(static_cast<int>(options.integrator))) +

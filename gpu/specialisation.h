@@ -26,7 +26,17 @@ std::vector<std::pair<std::string, int>> indexConstants(const SceneIndex& index)
 /// @throws UsageError for an override of a file that the library doesn't have.
 ShaderLibrary shaderLibrary(const RenderOptions& options);
 
+/// Which operations of strict maths the program corrects, since the device does not round them.
+struct Corrections {
+  bool division = false;
+  bool root = false;
+};
+
+/// The constants that pick corrected operations, as every program with math.glsl needs them.
+std::string correctionConstants(const Corrections& corrections);
+
 /// The program that renders this scene under these options.
-ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options);
+ShaderRequest specialise(const FlatScene& scene, const RenderOptions& options,
+                         const Corrections& corrections = {});
 
 }  // namespace twintrace

@@ -7,6 +7,7 @@
 #include "common/base/error.h"
 #include "gpu/buffers.h"
 #include "gpu/context.h"
+#include "gpu/passport_cache.h"
 #include "gpu/program_cache.h"
 #include "gpu/provider.h"
 #include "gpu/scene_uniforms.h"
@@ -48,8 +49,10 @@ class GpuRenderer : public Renderer {
         programs_(*context_),
         timer_(*context_) {
     const Context::Current current = context_->use();
+    const ShaderLibrary library = shaderLibrary(options);
+    passport_ = passportOf(*context_, library);
     const ShaderSource source =
-        assembleShader(shaderLibrary(options), specialise(*scene_, options));
+        assembleShader(library, specialise(*scene_, options, passport_.corrections));
     unusedOverrides_ = unusedOverrides(source);
     program_ = programs_.get(options.stage, source);
     texels_.emplace(*context_, scene_->texels);
@@ -86,6 +89,7 @@ class GpuRenderer : public Renderer {
                         {"geometry", usesLiteralGeometry(*scene_, options_) ? "literal" : "buffer"},
                         {"program", programs_.counts().compiled > 0 ? "compiled" : "cached"}};
     if (!unusedOverrides_.empty()) facts.emplace_back("unused_overrides", unusedOverrides_);
+    addPassport(facts);
     if (deviceSeconds_ > 0) facts.emplace_back("device_seconds", std::to_string(deviceSeconds_));
     return facts;
   }
@@ -99,6 +103,15 @@ class GpuRenderer : public Renderer {
       if (!used) unused += (unused.empty() ? "" : ", ") + replacement.shader;
     }
     return unused;
+  }
+
+  void addPassport(Provenance& facts) const {
+    facts.emplace_back("passport", passport_.digest());
+    facts.emplace_back("strict", passport_.strictness());
+    if (options_.maths != Maths::strict) return;
+    const Corrections& corrections = passport_.corrections;
+    facts.emplace_back("division", corrections.division ? "corrected" : "device");
+    facts.emplace_back("square_root", corrections.root ? "corrected" : "device");
   }
 
   std::size_t tilePixels() const {
@@ -161,6 +174,7 @@ class GpuRenderer : public Renderer {
   std::optional<FloatTarget> target_;
   std::optional<StorageBuffer> storage_;
   TimerQuery timer_;
+  DevicePassport passport_;
   std::vector<float> pixels_;
   std::string unusedOverrides_;
   double deviceSeconds_ = 0;

@@ -3,6 +3,7 @@
 // driver's builtins. Polynomials: Cephes single precision (Moshier), ranges and errors at each.
 #pragma once
 
+#include "corrected.glsl"
 #include "number.glsl"
 
 const float kPi = 3.14159265f;
@@ -10,9 +11,12 @@ const float kInversePi = 0.318309886f;
 const float kTwoPi = 6.28318531f;
 const float kInverseTwoPi = 0.159154943f;
 
+// The nearest float, of which kCorrectedDivision says that the device's own division misses it.
 float divide(float a, float b) {
-  precise float result = a / b;
-  return result;
+  if (kCorrectedDivision) {
+    return correctedQuotient(a, b);
+  }
+  return approximateQuotient(a, b);
 }
 
 vec3 divide(vec3 a, float b) {
@@ -20,9 +24,12 @@ vec3 divide(vec3 a, float b) {
   return result;
 }
 
+// The nearest float, of which kCorrectedRoot says that the device's own square root misses it.
 float squareRoot(float x) {
-  precise float result = sqrt(x);
-  return result;
+  if (kCorrectedRoot) {
+    return correctedRoot(x);
+  }
+  return approximateRoot(x);
 }
 
 float dot3(vec3 a, vec3 b) {

@@ -2,6 +2,7 @@
 
 // Twin of shaders/math.glsl: strict maths, the same operations in the same order.
 
+#include "cpu/kernel/corrected.h"
 #include "cpu/kernel/math_native.h"
 
 TWINTRACE_KERNEL_BEGIN

@@ -33,6 +33,7 @@ struct Witness {
   bool kEffectPhong = true, kEffectEnvironmentImage = true, kEffectPointLight = true;
   bool kEffectSphereLight = true, kEffectSunLight = true, kEffectLens = true;
   bool kEffectIndirect = true;
+  bool kCorrectedDivision = false, kCorrectedRoot = false;
   bool kNoiseSine = false, kIntersectorReport = false;
   int kIntegrator = 0;
   int kSphereCount = 0, kBoxCount = 0, kOrientedBoxCount = 0, kPlaneCount = 0, kLightCount = 0;
