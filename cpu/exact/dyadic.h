@@ -3,6 +3,7 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "cpu/exact/filter_number.h"
 

@@ -194,6 +194,23 @@ TEST_CASE("arbitrate tells irrational ties from neighbours", "[exact]") {
   CHECK(hit.clarity == Clarity::ambiguous);
 }
 
+TEST_CASE("arbitrate tells ties of different spheres from neighbours", "[exact]") {
+  // Chords 2 * 4 and 2 * 12 by the triangles 3-4-5 and 5-12-13; the last one ends where they begin.
+  const auto ball = [](float x, float y, float radius) {
+    return primitive(CaseKind::sphere, {x, y, 0, radius});
+  };
+  const CastRay ray{{-6, 0, 0}, {1, 0, 0}};
+  const float more = std::nextafter(13.0f, 14.0f);
+  const float less = std::nextafter(13.0f, 12.0f);
+  CHECK(decide({ball(4, 3, 5), ball(12, 5, 13)}, ray).clarity == Clarity::tie);
+  CHECK(decide({ball(12, 5, 13), ball(4, 3, 5)}, ray).clarity == Clarity::tie);
+  CHECK(decide({ball(4, 3, 5), ball(12, 5, more)}, ray).primitive == 1);
+  CHECK(decide({ball(4, 3, 5), ball(12, 5, less)}, ray).clarity == Clarity::ambiguous);
+  CHECK(decide({ball(-4, 3, 5), ball(12, 5, 13)}, ray).clarity == Clarity::tie);
+  CHECK(decide({ball(-4, 3, 5), ball(12, 5, more)}, ray).primitive == 1);
+  CHECK(decide({ball(-4, 3, 5), ball(12, 5, less)}, ray).primitive == 0);
+}
+
 TEST_CASE("arbitrate leaves generic rays to the filter and exact numbers to hard ones", "[exact]") {
   ArbiterEffort effort;
   arbitrate(casesOf({kBall}, {{0.1f, 0.2f, -5}, {0.01f, 0, 1}}), &effort);
