@@ -18,6 +18,7 @@ Command addRenderCommand(CLI::App& program, const Console& console);
 Command addCompareCommand(CLI::App& program, const Console& console);
 Command addMergeCommand(CLI::App& program, const Console& console);
 Command addPickCommand(CLI::App& program, const Console& console);
+Command addProbeCommand(CLI::App& program, const Console& console);
 Command addInfoCommand(CLI::App& program, const Console& console);
 
 }  // namespace twintrace

@@ -60,6 +60,10 @@ void addRenderOptions(CLI::App& command, GivenOptions& given) {
         ->group("Rendering")
         ->take_last();
   }
+  addShaderOptions(command, given);
+}
+
+void addShaderOptions(CLI::App& command, GivenOptions& given) {
   command
       .add_option("--shader-dir", given.shaderDirectory,
                   "read the shaders from this directory, not from the program")

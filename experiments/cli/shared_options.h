@@ -26,6 +26,9 @@ struct GivenOptions {
 /// Adds `--name` for every option of renderOptionTable(), `--shader-dir` and `--override`.
 void addRenderOptions(CLI::App& command, GivenOptions& given);
 
+/// Adds `--shader-dir` and `--override` alone.
+void addShaderOptions(CLI::App& command, GivenOptions& given);
+
 /// Adds `--json` and `--quiet`.
 void addAnswerOptions(CLI::App& command, AnswerOptions& options);
 

@@ -16,6 +16,14 @@ std::size_t UlpHistogram::total() const {
   return std::accumulate(counts_.begin(), counts_.end(), std::size_t{0});
 }
 
+std::string UlpHistogram::within(double share) const {
+  const double wanted = share * static_cast<double>(total());
+  std::size_t bin = 0;
+  double reached = static_cast<double>(counts_[0]);
+  while (reached < wanted) reached += static_cast<double>(counts_[++bin]);
+  return label(bin);
+}
+
 std::string UlpHistogram::label(std::size_t bin) {
   if (bin == kBinCount - 1) return "other";
   if (bin < 2) return std::to_string(bin);

@@ -20,6 +20,9 @@ class UlpHistogram {
   std::size_t total() const;
   std::uint32_t largest() const { return largest_; }
 
+  /// Label of the smallest bin up to which that share of all distances lies; at least one distance.
+  std::string within(double share) const;
+
   /// `0`, `1`, `2-3`, ..., `other`.
   static std::string label(std::size_t bin);
 

@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "common/base/error.h"
+#include "common/scene/option_names.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/command_line.h"
+#include "experiments/cli/interrupt.h"
+#include "experiments/cli/progress_display.h"
+#include "experiments/cli/shared_options.h"
+#include "experiments/probe/report.h"
+#include "experiments/probe/user_trial.h"
+#include "gpu/provider.h"
+#include "gpu/specialisation.h"
+
+namespace twintrace {
+namespace {
+
+using probe::FunctionTrial;
+using probe::ShaderFunction;
+
+/// The options of rendering that decide how a function is run alone.
+constexpr std::array kOptionsTaken = {"maths", "gl", "seed", "threads"};
+
+void addProbeOptions(CLI::App& command, GivenOptions& given) {
+  for (const char* name : kOptionsTaken) {
+    const auto store = [&given, name](const std::string& value) {
+      given.list.emplace_back(name, value);
+    };
+    command
+        .add_option_function<std::string>("--" + std::string(name), store,
+                                          findOption(name)->expected)
+        ->take_last();
+  }
+  addShaderOptions(command, given);
+}
+
+const ShaderFunction& onlyOne(const std::vector<const ShaderFunction*>& functions) {
+  if (functions.size() == 1) return *functions.front();
+  std::vector<std::string> signatures;
+  for (const ShaderFunction* function : functions) signatures.emplace_back(function->signature);
+  throw UsageError(fmt::format("found {} functions with --inputs, expected one of: {}",
+                               functions.size(), fmt::join(signatures, "; ")));
+}
+
+class ProbeCommand {
+ public:
+  explicit ProbeCommand(const Console& console) : console_(console) {}
+
+  CLI::App* addTo(CLI::App& program) {
+    CLI::App* app = program.add_subcommand(
+        "probe", "run shader functions alone against their twins and the correctly rounded values");
+    app->add_option("functions", names_, "names or signatures, such as dot3; all if none is given")
+        ->type_name("FUNCTION");
+    app->add_option("--samples", samples_, "random inputs per function, beyond the special ones")
+        ->check(CLI::Range(std::size_t{1}, kMaxSamples))
+        ->capture_default_str();
+    app->add_option("--inputs", inputs_,
+                    "replay one record: the function's inputs in order, as numbers or bits")
+        ->type_name("HEX,...");
+    app->add_option("--shader", shader_, "run the functions of this file instead")
+        ->type_name("FILE.glsl");
+    app->add_option("--reference", user_.reference,
+                    "with --shader: a function of this program or a C++ header; the file's own "
+                    "text in double unless said")
+        ->type_name("NAME|FILE.h");
+    app->add_option("--tolerance", user_.tolerance, "with --shader: ulp that count as agreement")
+        ->capture_default_str();
+    addProbeOptions(*app, given_);
+    addAnswerOptions(*app, answer_);
+    return app;
+  }
+
+  int run() const {
+    const RenderOptions options = layOptions(RenderOptions{}, given_);
+    if (!shader_.empty()) return runUserShader(options);
+    if (!user_.reference.empty()) throw UsageError("found --reference without --shader");
+    const auto functions = probe::chooseFunctions(names_);
+    checkAnswer(answer_);
+    return inputs_.empty() ? runTrials(functions, options) : runReplay(onlyOne(functions), options);
+  }
+
+ private:
+  int runUserShader(const RenderOptions& options) const {
+    if (!inputs_.empty()) throw UsageError("found --inputs with --shader, expected one of them");
+    const probe::UserShader shader = probe::readUserShader(shader_, names_);
+    checkAnswer(answer_);
+    probe::UserTrialSettings settings = user_;
+    settings.samples = samples_;
+    settings.seed = options.seed;
+    const auto context = createContext(options.provider, options.threads);
+    const auto trials = tryUserShader(*context, options, shader, settings);
+    Json json = {{"shader", shader_}, {"renderer", context->renderer()}, {"seed", options.seed},
+                 {"functions", Json::array()}};
+    std::string text;
+    bool agrees = true;
+    for (const probe::UserTrial& trial : trials) {
+      json["functions"].push_back(userTrialJson(trial));
+      text += (text.empty() ? "" : "\n") + userTrialText(trial);
+      agrees = agrees && trial.agrees();
+    }
+    json["provenance"] = machineJson();
+    answer(console_, answer_, json, text);
+    return agrees ? kAgree : kDiffer;
+  }
+
+  static constexpr std::size_t kMaxSamples = 10'000'000;
+
+  int runTrials(const std::vector<const ShaderFunction*>& functions,
+                const RenderOptions& options) const {
+    const auto context = createContext(options.provider, options.threads);
+    const ShaderLibrary library = shaderLibrary(options);
+    const InterruptScope interrupt;
+    const auto trials = tryAll(*context, library, functions, options, interrupt);
+    const auto differs = [](const FunctionTrial& t) { return t.verdict == probe::Verdict::differs; };
+    const auto differing = std::ranges::count_if(trials, differs);
+    answer(console_, answer_, toJson(*context, options, trials),
+           trialsText(trials) + summary(trials, differing, *context));
+    if (interrupt.interrupted()) return kInterrupted;
+    // In native maths the driver's own functions are expected to differ: a report, no check.
+    return differing != 0 && options.maths == Maths::strict ? kDiffer : kAgree;
+  }
+
+  std::vector<FunctionTrial> tryAll(Context& context, const ShaderLibrary& library,
+                                    const std::vector<const ShaderFunction*>& functions,
+                                    const RenderOptions& options,
+                                    const InterruptScope& interrupt) const {
+    ProgressDisplay display(console_.err,
+                            ProgressDisplay::styleForStandardError(answer_.quiet));
+    std::vector<FunctionTrial> trials;
+    for (const ShaderFunction* function : functions) {
+      if (interrupt.interrupted()) break;
+      trials.push_back(
+          tryFunction(context, library, *function, {samples_, options.seed, options.maths}));
+      display.show({static_cast<double>(trials.size()) / static_cast<double>(functions.size()), 0, 0});
+    }
+    return trials;
+  }
+
+  int runReplay(const ShaderFunction& function, const RenderOptions& options) const {
+    const auto words = probe::parseInputs(function, inputs_);
+    const auto context = createContext(options.provider, options.threads);
+    const ShaderLibrary library = shaderLibrary(options);
+    const probe::Record record = replay(*context, library, function, options.maths, words);
+    Json json = recordJson(function, record);
+    json["signature"] = function.signature;
+    answer(console_, answer_, json, recordText(function, record));
+    const bool agrees = record.twin.empty() || !probe::differ(function, record.gpu, record.twin);
+    return agrees || options.maths == Maths::native ? kAgree : kDiffer;
+  }
+
+  Json toJson(const Context& context, const RenderOptions& options,
+              const std::vector<FunctionTrial>& trials) const {
+    Json json = {{"maths", options.maths == Maths::strict ? "strict" : "native"},
+                 {"samples", samples_},
+                 {"seed", options.seed},
+                 {"renderer", context.renderer()},
+                 {"functions", Json::array()},
+                 {"provenance", machineJson()}};
+    for (const FunctionTrial& trial : trials) json["functions"].push_back(trialJson(trial));
+    return json;
+  }
+
+  static std::string summary(const std::vector<FunctionTrial>& trials, std::ptrdiff_t differing,
+                             const Context& context) {
+    const auto count = [&](probe::Verdict verdict) {
+      return std::ranges::count(trials, verdict, &FunctionTrial::verdict);
+    };
+    return fmt::format("\n{}: {} functions identical, {} differ, {} without a twin{}\n",
+                       context.renderer(), count(probe::Verdict::identical), differing,
+                       count(probe::Verdict::noTwin),
+                       count(probe::Verdict::notInNative) == 0
+                           ? ""
+                           : fmt::format(", {} not in native maths",
+                                         count(probe::Verdict::notInNative)));
+  }
+
+  Console console_;
+  std::vector<std::string> names_;
+  std::size_t samples_ = 100000;
+  std::string inputs_;
+  std::string shader_;
+  probe::UserTrialSettings user_;
+  GivenOptions given_;
+  AnswerOptions answer_;
+};
+
+}  // namespace
+
+Command addProbeCommand(CLI::App& program, const Console& console) {
+  const auto command = std::make_shared<ProbeCommand>(console);
+  return {command->addTo(program), [command] { return command->run(); }};
+}
+
+}  // namespace twintrace
