@@ -225,6 +225,10 @@ ShaderLibrary::ShaderLibrary(std::filesystem::path directory, const Overrides& o
   }
 }
 
+void ShaderLibrary::add(const std::string& path, ShaderOverride file) {
+  overrides_[withoutRoot(path)] = std::move(file);
+}
+
 std::optional<ShaderFile> ShaderLibrary::find(const std::string& path) const {
   const auto replacement = overrides_.find(path);
   if (replacement == overrides_.end()) return findOriginal(path);

@@ -35,6 +35,9 @@ class ShaderLibrary {
   /// The file at the path relative to the shader root, or nothing.
   std::optional<ShaderFile> find(const std::string& path) const;
 
+  /// Adds a file, or replaces one, at the path relative to the shader root.
+  void add(const std::string& path, ShaderOverride file);
+
   /// All files, relative to the shader root, sorted.
   std::vector<std::string> paths() const;
 
