@@ -15,6 +15,10 @@ struct Surface {
 // the next intersection errs by as much again: 12 units of 2^-24.
 const float kOffsetScale = 7.2e-7f;
 
+// A plane's point errs by its coordinates' rounding alone (at most 2 units of 2^-24 along the normal),
+// and the next intersection, in double, not at all.
+const float kPlaneOffsetScale = 2.4e-7f;
+
 // The report's fixed offset, in scene units.
 const float kReportOffset = 1e-4f;
 
@@ -24,9 +28,37 @@ float largestCoordinate(vec3 v) {
   return result;
 }
 
+// Outward and unit. From the ray instead of from the point at t, which of a small and far sphere may lie
+// anywhere within it and beyond: the root is taken again in double. +y without a hit.
+vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
+  precise dvec3 d = dvec3(ray.direction);
+  precise dvec3 f = dvec3(ray.origin) - dvec3(sphere.center);
+  precise double radius = double(sphere.radius);
+  precise double a = (d.x * d.x + d.y * d.y) + d.z * d.z;
+  precise double b = -((f.x * d.x + f.y * d.y) + f.z * d.z);
+  precise double middle = b / a;
+  precise dvec3 toAxis = f + d * middle;
+  precise double r2 = radius * radius;
+  precise double l2 = (toAxis.x * toAxis.x + toAxis.y * toAxis.y) + toAxis.z * toAxis.z;
+  precise double squared = (r2 - l2) / a;
+  precise double chord = sqrt(squared);
+  precise double entry = middle - chord;
+  precise float first = float(entry);
+  precise float between = float(middle);
+  precise bool entering = first >= ray.tmin && t <= between;
+  precise float side = select(entering, -1.0f, 1.0f);
+  precise double along = chord * double(side);
+  precise double x = (toAxis.x + d.x * along) / radius;
+  precise double y = (toAxis.y + d.y * along) / radius;
+  precise double z = (toAxis.z + d.z * along) / radius;
+  precise vec3 unit = vec3(float(x), float(y), float(z));
+  precise bool meets = squared >= 0.0f && radius > 0.0f;
+  precise vec3 result = select(meets, unit, vec3(0.0f, 1.0f, 0.0f));
+  return result;
+}
+
 Surface sphereSurface(Ray ray, float t, Sphere sphere) {
-  precise vec3 fromCenter = pointAt(ray, t) - sphere.center;
-  precise vec3 outward = normalize3(fromCenter);
+  precise vec3 outward = sphereNormal(ray, t, sphere);
   precise vec3 position = sphere.center + outward * sphere.radius;
   precise float offset = (largestCoordinate(sphere.center) + sphere.radius) * kOffsetScale;
   precise Surface result = Surface(position, outward, offset);
@@ -48,17 +80,25 @@ FaceChoice closerFace(FaceChoice best, float t, float planeT, vec3 normal) {
   return result;
 }
 
-// The face whose plane distance, computed as in intersectBoxRobust, is t. NaN never is the closer.
+// The face whose plane distance, computed as in intersectBoxRobust, is t. The near faces come first,
+// so that one that coincides with a far face (a box without thickness) is the one that was hit. NaN
+// never is the closer.
 FaceChoice hitFace(Ray ray, float t, Box box) {
+  precise bool backX = ray.direction.x < 0.0f;
+  precise bool backY = ray.direction.y < 0.0f;
+  precise bool backZ = ray.direction.z < 0.0f;
+  precise float x = select(backX, 1.0f, -1.0f);
+  precise float y = select(backY, 1.0f, -1.0f);
+  precise float z = select(backZ, 1.0f, -1.0f);
   precise vec3 low = (box.minimum - ray.origin) * ray.inverse;
   precise vec3 high = (box.maximum - ray.origin) * ray.inverse;
   precise FaceChoice best = FaceChoice(kInfinity, vec3(0.0f, 1.0f, 0.0f));
-  best = closerFace(best, t, low.x, vec3(-1.0f, 0.0f, 0.0f));
-  best = closerFace(best, t, low.y, vec3(0.0f, -1.0f, 0.0f));
-  best = closerFace(best, t, low.z, vec3(0.0f, 0.0f, -1.0f));
-  best = closerFace(best, t, high.x, vec3(1.0f, 0.0f, 0.0f));
-  best = closerFace(best, t, high.y, vec3(0.0f, 1.0f, 0.0f));
-  best = closerFace(best, t, high.z, vec3(0.0f, 0.0f, 1.0f));
+  best = closerFace(best, t, select(backX, high.x, low.x), vec3(x, 0.0f, 0.0f));
+  best = closerFace(best, t, select(backY, high.y, low.y), vec3(0.0f, y, 0.0f));
+  best = closerFace(best, t, select(backZ, high.z, low.z), vec3(0.0f, 0.0f, z));
+  best = closerFace(best, t, select(backX, low.x, high.x), vec3(-x, 0.0f, 0.0f));
+  best = closerFace(best, t, select(backY, low.y, high.y), vec3(0.0f, -y, 0.0f));
+  best = closerFace(best, t, select(backZ, low.z, high.z), vec3(0.0f, 0.0f, -z));
   return best;
 }
 
@@ -115,23 +155,41 @@ Surface chosenBoxSurface(Ray ray, float t, Box box) {
   return boxSurface(ray, t, box);
 }
 
+// The point is brought to the slab's plane along the slab's axis, which need be neither unit nor
+// orthogonal to the others; the normal is as long as that axis.
 Surface orientedBoxSurface(Ray ray, float t, OrientedBox box) {
   precise Surface local = chosenBoxSurface(toLocalRay(ray, box), t, toLocalBox(box));
-  precise vec3 position = box.center + toWorldDirection(box, local.position);
   precise vec3 normal = toWorldDirection(box, local.normal);
-  precise float reach = largestCoordinate(box.center) + largestCoordinate(box.halfSize) * 2.0f;
+  precise vec3 p = pointAt(ray, t);
+  precise dvec3 n = dvec3(normal);
+  precise dvec3 from = dvec3(p) - dvec3(box.center);
+  precise double height = (from.x * n.x + from.y * n.y) + from.z * n.z;
+  precise double squared = (n.x * n.x + n.y * n.y) + n.z * n.z;
+  precise vec3 axis = local.normal * local.normal;
+  precise float face = dot3(axis, box.halfSize);
+  precise double beyond = (height - double(face)) / squared;
+  precise vec3 position = p - normal * float(beyond);
+  precise float reach = greatest(largestCoordinate(position), largestCoordinate(box.center));
   precise float scaled = reach * kOffsetScale;
   precise float offset = select(kIntersectorReport, kReportOffset, scaled);
   precise Surface result = Surface(position, normal, offset);
   return result;
 }
 
+// p moved along the unit normal onto the plane through `point`.
+vec3 broughtToPlane(vec3 p, vec3 point, vec3 normal) {
+  precise dvec3 n = dvec3(normal);
+  precise dvec3 from = dvec3(p) - dvec3(point);
+  precise double height = (from.x * n.x + from.y * n.y) + from.z * n.z;
+  precise dvec3 moved = dvec3(p) - n * height;
+  precise vec3 result = vec3(float(moved.x), float(moved.y), float(moved.z));
+  return result;
+}
+
 Surface planeSurface(Ray ray, float t, Plane plane) {
-  precise vec3 p = pointAt(ray, t);
-  precise vec3 fromPlane = p - plane.point;
-  precise vec3 position = p - plane.normal * dot3(fromPlane, plane.normal);
+  precise vec3 position = broughtToPlane(pointAt(ray, t), plane.point, plane.normal);
   precise float reach = greatest(largestCoordinate(position), largestCoordinate(plane.point));
-  precise Surface result = Surface(position, plane.normal, reach * kOffsetScale);
+  precise Surface result = Surface(position, plane.normal, reach * kPlaneOffsetScale);
   return result;
 }
 

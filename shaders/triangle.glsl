@@ -105,9 +105,7 @@ vec3 triangleNormal(Triangle triangle) {
 
 Surface triangleSurface(Ray ray, float t, Triangle triangle) {
   precise vec3 normal = triangleNormal(triangle);
-  precise vec3 p = pointAt(ray, t);
-  precise vec3 fromPlane = p - triangle.a;
-  precise vec3 position = p - normal * dot3(fromPlane, normal);
+  precise vec3 position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
   precise float ab = greatest(largestCoordinate(triangle.a), largestCoordinate(triangle.b));
   precise float reach = greatest(ab, largestCoordinate(triangle.c));
   precise Surface result = Surface(position, normal, reach * kOffsetScale);

@@ -18,6 +18,8 @@ struct Surface {
 
 /// 12 units of 2^-24: see shaders/surface.glsl.
 inline constexpr float kOffsetScale = 7.2e-7f;
+/// 4 units of 2^-24: see shaders/surface.glsl.
+inline constexpr float kPlaneOffsetScale = 2.4e-7f;
 /// The report's fixed offset, in scene units.
 inline constexpr float kReportOffset = 1e-4f;
 
@@ -26,9 +28,37 @@ R largestCoordinate(const Vec3<R>& v) {
   return largestComponent(Vec3<R>(absolute(v.x), absolute(v.y), absolute(v.z)));
 }
 
+/// Outward and unit. From the ray instead of from the point at t, which of a small and far sphere may
+/// lie anywhere within it and beyond: the root is taken again in the wider number. +y without a hit.
+template <class R>
+Vec3<R> sphereNormal(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
+  using Wider = WiderOf<R>;
+  const Vec3<Wider> d = wider3(ray.direction);
+  const Vec3<Wider> f = wider3(ray.origin) - wider3(sphere.center);
+  const Wider radius = wider(sphere.radius);
+  const Wider a = (d.x * d.x + d.y * d.y) + d.z * d.z;
+  const Wider b = -((f.x * d.x + f.y * d.y) + f.z * d.z);
+  const Wider middle = b / a;
+  const Vec3<Wider> toAxis = f + d * middle;
+  const Wider r2 = radius * radius;
+  const Wider l2 = (toAxis.x * toAxis.x + toAxis.y * toAxis.y) + toAxis.z * toAxis.z;
+  const Wider squared = (r2 - l2) / a;
+  const Wider chord = rootOf(squared);
+  const R first = rounded<R>(middle - chord);
+  const R between = rounded<R>(middle);
+  const MaskOf<R> entering = first >= ray.tmin && t <= between;
+  const Wider along = chord * wider(select(entering, R(-1.0f), R(1.0f)));
+  const Vec3<R> unit(rounded<R>((toAxis.x + d.x * along) / radius),
+                     rounded<R>((toAxis.y + d.y * along) / radius),
+                     rounded<R>((toAxis.z + d.z * along) / radius));
+  const Wider zero(0.0f);
+  const MaskOf<R> meets = squared >= zero && radius > zero;
+  return select(meets, unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
+}
+
 template <class R>
 Surface<R> sphereSurface(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
-  const Vec3<R> outward = normalize3(pointAt(ray, t) - sphere.center);
+  const Vec3<R> outward = sphereNormal(ray, t, sphere);
   const Vec3<R> position = sphere.center + outward * sphere.radius;
   const R offset = (largestCoordinate(sphere.center) + sphere.radius) * errorBound<R>(kOffsetScale);
   return {position, outward, offset};
@@ -48,20 +78,27 @@ FaceChoice<R> closerFace(const FaceChoice<R>& best, R t, R planeT, const Vec3<R>
   return {select(better, error, best.error), select(better, normal, best.normal)};
 }
 
-/// The face whose plane distance, computed as in intersectBoxRobust, is t.
+/// The face whose plane distance, computed as in intersectBoxRobust, is t; of two that coincide the
+/// near one.
 template <class R>
 FaceChoice<R> hitFace(const Ray<R>& ray, R t, const Box<R>& box) {
   const R zero(0.0f);
   const R one(1.0f);
+  const MaskOf<R> backX = ray.direction.x < zero;
+  const MaskOf<R> backY = ray.direction.y < zero;
+  const MaskOf<R> backZ = ray.direction.z < zero;
+  const R x = select(backX, one, -one);
+  const R y = select(backY, one, -one);
+  const R z = select(backZ, one, -one);
   const Vec3<R> low = (box.minimum - ray.origin) * ray.inverse;
   const Vec3<R> high = (box.maximum - ray.origin) * ray.inverse;
   FaceChoice<R> best{R(kInfinity), Vec3<R>(zero, one, zero)};
-  best = closerFace(best, t, low.x, Vec3<R>(-one, zero, zero));
-  best = closerFace(best, t, low.y, Vec3<R>(zero, -one, zero));
-  best = closerFace(best, t, low.z, Vec3<R>(zero, zero, -one));
-  best = closerFace(best, t, high.x, Vec3<R>(one, zero, zero));
-  best = closerFace(best, t, high.y, Vec3<R>(zero, one, zero));
-  best = closerFace(best, t, high.z, Vec3<R>(zero, zero, one));
+  best = closerFace(best, t, select(backX, high.x, low.x), Vec3<R>(x, zero, zero));
+  best = closerFace(best, t, select(backY, high.y, low.y), Vec3<R>(zero, y, zero));
+  best = closerFace(best, t, select(backZ, high.z, low.z), Vec3<R>(zero, zero, z));
+  best = closerFace(best, t, select(backX, low.x, high.x), Vec3<R>(-x, zero, zero));
+  best = closerFace(best, t, select(backY, low.y, high.y), Vec3<R>(zero, -y, zero));
+  best = closerFace(best, t, select(backZ, low.z, high.z), Vec3<R>(zero, zero, -z));
   return best;
 }
 
@@ -115,24 +152,43 @@ Surface<R> chosenBoxSurface(const SceneView& scene, const Ray<R>& ray, R t, cons
   return boxSurface(ray, t, box);
 }
 
+/// The point is brought to the slab's plane along the slab's axis, which need be neither unit nor
+/// orthogonal to the others; the normal is as long as that axis.
 template <class R>
 Surface<R> orientedBoxSurface(const SceneView& scene, const Ray<R>& ray, R t,
                               const OrientedBox<R>& box) {
+  using Wider = WiderOf<R>;
   const Surface<R> local = chosenBoxSurface(scene, toLocalRay(ray, box), t, toLocalBox(box));
-  const Vec3<R> position = box.center + toWorldDirection(box, local.position);
   const Vec3<R> normal = toWorldDirection(box, local.normal);
-  // The axes are rounded to float, so the way there and back errs by that in double too.
-  const R reach = largestCoordinate(box.center) + largestCoordinate(box.halfSize) * R(2.0f);
-  const R offset = scene.intersectorReport ? R(kReportOffset) : reach * R(kOffsetScale);
+  const Vec3<R> p = pointAt(ray, t);
+  const Vec3<Wider> n = wider3(normal);
+  const Vec3<Wider> from = wider3(p) - wider3(box.center);
+  const Wider height = (from.x * n.x + from.y * n.y) + from.z * n.z;
+  const Wider squared = (n.x * n.x + n.y * n.y) + n.z * n.z;
+  const R face = dot3(local.normal * local.normal, box.halfSize);
+  const Vec3<R> position = p - normal * rounded<R>((height - wider(face)) / squared);
+  const R reach = greatest(largestCoordinate(position), largestCoordinate(box.center));
+  const R scaled = reach * errorBound<R>(kOffsetScale);
+  const R offset = scene.intersectorReport ? R(kReportOffset) : scaled;
   return {position, normal, offset};
+}
+
+/// p moved along the unit normal onto the plane through `point`.
+template <class R>
+Vec3<R> broughtToPlane(const Vec3<R>& p, const Vec3<R>& point, const Vec3<R>& normal) {
+  using Wider = WiderOf<R>;
+  const Vec3<Wider> n = wider3(normal);
+  const Vec3<Wider> from = wider3(p) - wider3(point);
+  const Wider height = (from.x * n.x + from.y * n.y) + from.z * n.z;
+  const Vec3<Wider> moved = wider3(p) - n * height;
+  return {rounded<R>(moved.x), rounded<R>(moved.y), rounded<R>(moved.z)};
 }
 
 template <class R>
 Surface<R> planeSurface(const Ray<R>& ray, R t, const Plane<R>& plane) {
-  const Vec3<R> p = pointAt(ray, t);
-  const Vec3<R> position = p - plane.normal * dot3(p - plane.point, plane.normal);
+  const Vec3<R> position = broughtToPlane(pointAt(ray, t), plane.point, plane.normal);
   const R reach = greatest(largestCoordinate(position), largestCoordinate(plane.point));
-  return {position, plane.normal, reach * errorBound<R>(kOffsetScale)};
+  return {position, plane.normal, reach * errorBound<R>(kPlaneOffsetScale)};
 }
 
 template <class R>

@@ -95,8 +95,7 @@ Vec3<R> triangleNormal(const Triangle<R>& triangle) {
 template <class R>
 Surface<R> triangleSurface(const Ray<R>& ray, R t, const Triangle<R>& triangle) {
   const Vec3<R> normal = triangleNormal(triangle);
-  const Vec3<R> p = pointAt(ray, t);
-  const Vec3<R> position = p - normal * dot3(p - triangle.a, normal);
+  const Vec3<R> position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
   const R ab = greatest(largestCoordinate(triangle.a), largestCoordinate(triangle.b));
   const R reach = greatest(ab, largestCoordinate(triangle.c));
   return {position, normal, reach * errorBound<R>(kOffsetScale)};
