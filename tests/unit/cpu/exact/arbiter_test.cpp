@@ -207,6 +207,7 @@ TEST_CASE("arbitrate tells ties of different spheres from neighbours", "[exact]"
   CHECK(decide({ball(4, 3, 5), ball(12, 5, more)}, ray).primitive == 1);
   CHECK(decide({ball(4, 3, 5), ball(12, 5, less)}, ray).clarity == Clarity::ambiguous);
   CHECK(decide({ball(-4, 3, 5), ball(12, 5, 13)}, ray).clarity == Clarity::tie);
+  CHECK(decide({ball(12, 5, 13), ball(-4, 3, 5)}, ray).clarity == Clarity::tie);
   CHECK(decide({ball(-4, 3, 5), ball(12, 5, more)}, ray).primitive == 1);
   CHECK(decide({ball(-4, 3, 5), ball(12, 5, less)}, ray).primitive == 0);
 }
