@@ -47,8 +47,8 @@ class OutputAttempts {
 void writeText(const std::string& path, const std::string& text);
 
 /// All that compare writes into its directory.
-inline constexpr std::array kComparisonFiles = {"compare.json", "a.exr", "b.exr",    "diff.exr",
-                                                "a.png",        "b.png", "sheet.png"};
+inline constexpr std::array kComparisonFiles = {"compare.json", "passport.json", "a.exr", "b.exr",
+                                                "diff.exr",     "a.png",         "b.png", "sheet.png"};
 
 /// Writes a.exr, b.exr, a.png, b.png, diff.exr (difference a - b with the maps ulp and z) and
 /// sheet.png, on which `header` stands above the pictures.

@@ -15,6 +15,7 @@
 #include "experiments/cli/shared_options.h"
 #include "experiments/compare_files.h"
 #include "experiments/outputs.h"
+#include "experiments/passport/stored_passports.h"
 
 namespace twintrace {
 namespace {
@@ -69,6 +70,8 @@ class CompareCommand {
     Arm b = openArm(scene, options.b);
     warnOfUnusedOverrides(console_, "a", a);
     warnOfUnusedOverrides(console_, "b", b);
+    warnOfStrictness(a, b);
+    const Json passports = knownPassports(a, b);
     ArmsComparison result = render(a, b, paired);
     auto& allNotes = result.comparison.notes;
     allNotes.insert(allNotes.begin(), notes.begin(), notes.end());
@@ -76,11 +79,29 @@ class CompareCommand {
     const ArmNames names = armNames(options);
     finish(result.comparison, compareJson(scene, a, b, result, settings_), armsText(result, names),
            names);
+    if (!passports.empty()) writeText(outputPath(kPassports), jsonText(passports));
     warnOfBadFrames(console_, "a", result.a.film);
     warnOfBadFrames(console_, "b", result.b.film);
     const bool interrupted =
         result.a.stoppedBy == StopReason::interrupt || result.b.stoppedBy == StopReason::interrupt;
     return interrupted ? kInterrupted : exitCode(result.comparison);
+  }
+
+  void warnOfStrictness(const Arm& a, const Arm& b) const {
+    const std::string ofA = strictWarning(a);
+    const std::string ofB = strictWarning(b);
+    warn(console_, ofA);
+    if (ofA != ofB) warn(console_, ofB);
+  }
+
+  /// The passports to keep beside the results, compared with those of the results that are there.
+  Json knownPassports(const Arm& a, const Arm& b) const {
+    if (directory_.empty()) return {};
+    const Json passports = armPassports(a, b);
+    for (const std::string& text : passportWarnings(outputPath(kPassports), passports)) {
+      warn(console_, text);
+    }
+    return passports;
   }
 
   int runFiles() {
@@ -173,6 +194,8 @@ class CompareCommand {
   std::string outputPath(const char* name) const {
     return (std::filesystem::path(directory_) / name).string();
   }
+
+  static constexpr const char* kPassports = "passport.json";
 
   static int exitCode(const Comparison& comparison) {
     return agrees(comparison.verdict) ? kAgree : kDiffer;

@@ -41,6 +41,10 @@ void answer(const Console& console, const AnswerOptions& options, const Json& js
   outputs.finish();
 }
 
+void warn(const Console& console, const std::string& text) {
+  if (!text.empty()) console.err << "twintrace: warning: " << text << '\n';
+}
+
 void warnOfBadFrames(const Console& console, const std::string& what, const Film& film) {
   if (film.badFrameCount() == 0) return;
   std::string places;

@@ -31,6 +31,9 @@ void printText(const Console& console, const AnswerOptions& options, const std::
 void answer(const Console& console, const AnswerOptions& options, const Json& json,
             const std::string& text);
 
+/// Prints a warning of one line; nothing if the text is empty.
+void warn(const Console& console, const std::string& text);
+
 /// Counted, located and never hidden: a warning about frames that were left out of a film.
 void warnOfBadFrames(const Console& console, const std::string& what, const Film& film);
 

@@ -12,6 +12,8 @@
 #include "experiments/cli/shared_options.h"
 #include "experiments/effect_ledger.h"
 #include "experiments/machine.h"
+#include "experiments/passport/passport_json.h"
+#include "experiments/passport/passport_text.h"
 
 namespace twintrace {
 namespace {
@@ -114,26 +116,35 @@ class InfoCommand {
     CLI::App* app =
         program.add_subcommand("info", "describe program, machine and, if given, a scene");
     app->add_option("scene", scenePath_, "scene file")->type_name("SCENE");
+    app->add_flag("--passport", passport_, "measure the arithmetic of the GL in use");
     addAnswerOptions(*app, answer_);
     addRenderOptions(*app, given_);
     return app;
   }
 
   int run() const {
-    if (scenePath_.empty() && !given_.empty()) {
-      throw UsageError("found options of rendering without a scene, expected a scene file");
+    if (scenePath_.empty() && !passport_ && !given_.empty()) {
+      throw UsageError(
+          "found options of rendering without a scene, expected a scene file or --passport");
     }
     checkAnswer(answer_);
+    RenderOptions options;
     Json json;
     std::string text;
     if (!scenePath_.empty()) {
       const Scene scene = readScene(scenePath_);
-      json = sceneJson(scene, applyOptions(scene.render, given_));
+      options = scene.render;
+      json = sceneJson(scene, applyOptions(options, given_));
       text = sceneText(json);
     }
     Json program = programJson();
     text = programText(program) + text;
     if (!json.is_null()) program["scene"] = json;
+    if (passport_) {
+      const Passport passport = measureFullPassport(applyOptions(options, given_));
+      program["passport"] = passportJson(passport);
+      text += "\n" + passportText(passport);
+    }
     answer(console_, answer_, program, text);
     return kAgree;
   }
@@ -141,6 +152,7 @@ class InfoCommand {
  private:
   Console console_;
   std::string scenePath_;
+  bool passport_ = false;
   AnswerOptions answer_;
   GivenOptions given_;
 };

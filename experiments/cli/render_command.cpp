@@ -12,6 +12,7 @@
 #include "experiments/cli/progress_display.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/outputs.h"
+#include "experiments/passport/stored_passports.h"
 #include "experiments/render_job.h"
 
 namespace twintrace {
@@ -45,6 +46,7 @@ class RenderCommand {
     checkOutputs();
     Arm arm = openArm(scene, options);
     warnOfUnusedOverrides(console_, scene.name, arm);
+    warn(console_, strictWarning(arm));
     const RenderResult result = render(arm);
     warnOfBadFrames(console_, scene.name, result.film);
     OutputAttempts attempts;
