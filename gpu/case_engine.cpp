@@ -18,9 +18,9 @@ namespace {
 
 static_assert(kBounceNotStarted == layout::kCaseNotStarted);
 
-constexpr std::uint32_t kGroupSize = 64;    // local_size of mains/cast.glsl
-constexpr std::size_t kChunk = 1u << 20;    // rays per dispatch: 64 MiB of ray texels
-constexpr int kTargetSide = 1024;           // of the fragment stage's picture: a pixel per ray
+constexpr std::uint32_t kGroupSize = 64;  // local_size of mains/cast.glsl
+constexpr std::size_t kChunk = 1u << 20;  // rays per dispatch: 64 MiB of ray texels
+constexpr int kTargetSide = 1024;         // of the fragment stage's picture: a pixel per ray
 constexpr std::size_t kAnswerFloats = layout::kCaseAnswerFloats;
 // Primitives come back as floats, which the fragment stage has for outputs.
 constexpr std::size_t kMaxPrimitives = 1u << 24;
@@ -34,8 +34,7 @@ FlatScene emptyScene() {
 
 ShaderRequest castRequest(const FlatScene& scene, const RenderOptions& options) {
   ShaderRequest request = specialise(scene, options);
-  request.main =
-      options.stage == Stage::fragment ? "mains/cast_fragment.glsl" : "mains/cast.glsl";
+  request.main = options.stage == Stage::fragment ? "mains/cast_fragment.glsl" : "mains/cast.glsl";
   return request;
 }
 
@@ -49,14 +48,13 @@ void addRay(std::vector<glm::uvec4>& texels, const CastRay& ray, const CaseRange
   texels.emplace_back(word(ray.origin.x), word(ray.origin.y), word(ray.origin.z), word(ray.tmin));
   texels.emplace_back(word(ray.direction.x), word(ray.direction.y), word(ray.direction.z),
                       word(ray.tmax));
-  texels.emplace_back(range.firstTexel, range.count, word(range.reach), bounce == nullptr ? 0u : 1u);
+  texels.emplace_back(range.firstTexel, range.count, word(range.reach),
+                      bounce == nullptr ? 0u : 1u);
   texels.emplace_back(word(random.x), word(random.y), 0u, 0u);
 }
 
 CastHit hitOf(const float* answer) {
-  return {answer[0],
-          static_cast<std::int32_t>(answer[4]),
-          {answer[1], answer[2], answer[3]}};
+  return {answer[0], static_cast<std::int32_t>(answer[4]), {answer[1], answer[2], answer[3]}};
 }
 
 /// Runs a program over the rays of a chunk and gives kAnswerFloats of each.
@@ -197,8 +195,9 @@ class GpuCaseEngine : public CaseEngine {
 std::unique_ptr<CaseEngine> makeGpuCaseEngine(const RenderOptions& options,
                                               const ShaderLibrary& library) {
   if (options.precision == Precision::float64) {
-    throw UsageError("precision double with engine gpu, expected engine cpu64: shaders compute in "
-                     "float");
+    throw UsageError(
+        "precision double with engine gpu, expected engine cpu64: shaders compute in "
+        "float");
   }
   return std::make_unique<GpuCaseEngine>(options, library);
 }

@@ -16,9 +16,12 @@ CaseAnswer castRay(int index) {
   precise CaseQuery query =
       CaseQuery(floats3(first), floats3(second), float4th(first), float4th(second),
                 uintBitsToFloat(third.z), int(third.x), int(third.y));
+  precise vec3 random = floats3(fourth);
+  precise CaseAnswer result = CaseAnswer(0.0f, kCaseMiss, vec3(0.0f));
   if (third.w != 0u) {
-    precise vec3 random = floats3(fourth);
-    return castBounce(query, random.x, random.y);
+    result = castBounce(query, random.x, random.y);
+  } else {
+    result = castQuery(query);
   }
-  return castQuery(query);
+  return result;
 }

@@ -24,7 +24,8 @@ TEST_CASE("normalised cases have sizes above zero and box bounds in order", "[ca
   const auto box = primitiveOf(CaseKind::box, {1, -2, 3, -1, 2, 3});
   CHECK(box.vector(0) == glm::vec3(-1, -2, 3));
   CHECK(box.vector(3) == glm::vec3(1, 2, 3));
-  const auto turned = primitiveOf(CaseKind::orientedBox, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, 2, -3});
+  const auto turned =
+      primitiveOf(CaseKind::orientedBox, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, 2, -3});
   CHECK(turned.vector(12) == glm::vec3(1, 2, 3));
   const auto triangle = primitiveOf(CaseKind::triangle, {1, 0, 0, -1, 0, 0, 0, -1, 0});
   CHECK(triangle.vector(0) == glm::vec3(1, 0, 0));

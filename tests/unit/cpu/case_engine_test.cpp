@@ -41,9 +41,8 @@ void expectHit(CaseEngine& engine, const CasePrimitive& primitive, float t) {
 
 TEST_CASE("case engines hit and miss each kind of primitive", "[cpu][cases]") {
   const CastRay aside{{5.0f, 0.2f, 4.0f}, {0.0f, 0.0f, -1.0f}};
-  for (const auto& engine :
-       {robust(), engineOf(Intersector::report),
-        engineOf(Intersector::robust, Precision::float64)}) {
+  for (const auto& engine : {robust(), engineOf(Intersector::report),
+                             engineOf(Intersector::robust, Precision::float64)}) {
     INFO(engine->name());
     expectHit(*engine, unitSphere(), 4.0f - std::sqrt(1.0f - 0.05f));
     expectHit(*engine, unitBox(), 3.0f);
@@ -221,7 +220,8 @@ TEST_CASE("embree's case engine hits each kind that it has", "[cpu][cases][embre
 TEST_CASE("embree's case engine numbers the primitives of mixed scenes", "[cpu][cases][embree]") {
   CaseSet cases;
   for (int i = 0; i < 12; ++i) {
-    CasePrimitive primitive[] = {flatTriangle(), groundPlane(), turnedBox(), unitSphere(), unitBox()};
+    CasePrimitive primitive[] = {flatTriangle(), groundPlane(), turnedBox(), unitSphere(),
+                                 unitBox()};
     CasePrimitive& chosen = primitive[i % 5];
     for (std::size_t value = 0; value < 9; value += 3) {
       if (value == 0 || chosen.kind == CaseKind::triangle ||
@@ -236,7 +236,8 @@ TEST_CASE("embree's case engine numbers the primitives of mixed scenes", "[cpu][
   }
   cases.scenes = {{0, 12}};
   const auto hits = makeEmbreeCaseEngine()->cast(cases);
-  for (int i = 0; i < 12; ++i) CHECK(hits[static_cast<std::size_t>(i)].primitive == (i % 5 == 1 ? -1 : i));
+  for (int i = 0; i < 12; ++i)
+    CHECK(hits[static_cast<std::size_t>(i)].primitive == (i % 5 == 1 ? -1 : i));
 }
 
 }  // namespace
