@@ -8,6 +8,7 @@
 #include "common/scene/layout.h"
 #include "gpu/buffers.h"
 #include "gpu/context.h"
+#include "gpu/passport_cache.h"
 #include "gpu/program_cache.h"
 #include "gpu/provider.h"
 #include "gpu/scene_uniforms.h"
@@ -32,8 +33,9 @@ FlatScene emptyScene() {
   return scene;
 }
 
-ShaderRequest castRequest(const FlatScene& scene, const RenderOptions& options) {
-  ShaderRequest request = specialise(scene, options);
+ShaderRequest castRequest(const FlatScene& scene, const RenderOptions& options,
+                          const Corrections& corrections) {
+  ShaderRequest request = specialise(scene, options, corrections);
   request.main = options.stage == Stage::fragment ? "mains/cast_fragment.glsl" : "mains/cast.glsl";
   return request;
 }
@@ -125,8 +127,9 @@ class GpuCaseEngine : public CaseEngine {
         programs_(*context_) {
     options_.geometry = Geometry::buffer;
     const Context::Current current = context_->use();
-    program_ =
-        programs_.get(options_.stage, assembleShader(library, castRequest(scene_, options_)));
+    const Corrections corrections = passportOf(*context_, library).corrections;
+    program_ = programs_.get(
+        options_.stage, assembleShader(library, castRequest(scene_, options_, corrections)));
   }
 
   std::vector<CastHit> cast(const CaseSet& cases) override {

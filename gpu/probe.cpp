@@ -3,6 +3,7 @@
 #include "common/base/error.h"
 #include "gpu/buffers.h"
 #include "gpu/context.h"
+#include "gpu/passport_cache.h"
 #include "gpu/program.h"
 #include "gpu/scene_uniforms.h"
 #include "gpu/specialisation.h"
@@ -13,8 +14,8 @@ namespace {
 constexpr const char* kMainPath = "probe.glsl";
 
 ShaderRequest probeRequest(const Probe& probe, const FlatScene& scene,
-                           const RenderOptions& options) {
-  ShaderRequest request = specialise(scene, options);
+                           const RenderOptions& options, const Corrections& corrections) {
+  ShaderRequest request = specialise(scene, options, corrections);
   request.main = kMainPath;
   request.virtualFiles[kMainPath] = probe.main;
   return request;
@@ -33,8 +34,9 @@ std::vector<std::uint32_t> runProbe(Context& context, const ShaderLibrary& libra
   }
   const std::size_t count = inputs.size() / inputWords;
   const Context::Current current = context.use();
+  const Corrections corrections = passportOf(context, library).corrections;
   Program program(context, Stage::compute,
-                  assembleShader(library, probeRequest(probe, scene, options)));
+                  assembleShader(library, probeRequest(probe, scene, options, corrections)));
   const BufferTexture texels(context, scene.texels);
   const StorageBuffer given(context, std::as_bytes(inputs));
   std::vector<std::uint32_t> results(count * static_cast<std::size_t>(probe.outputWords));
