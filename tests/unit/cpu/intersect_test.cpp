@@ -206,6 +206,16 @@ TEST_CASE("intersectTriangleRobust leaves no gap along a common edge") {
   CHECK(lost == 0);
 }
 
+TEST_CASE("intersectTriangleRobust knows the side of an edge that float products lose") {
+  const FlushDenormals flush;
+  // The edge function of b and c at the ray is 2^-46: (1 + 2^-23)^2 less 1 + 2^-22.
+  const Vector b(1.0f + 0x1p-23f, 1.0f, 1.0f);
+  const Vector c(-1.0f - 0x1p-22f, -1.0f - 0x1p-23f, 1.0f);
+  const Ray<float> ray = rayFrom(Vector(), Vector(0.0f, 0.0f, 1.0f));
+  CHECK(intersectTriangleRobust(ray, {Vector(1.0f, -1.0f, 1.0f), b, c}) == kInfinity);
+  CHECK(intersectTriangleRobust(ray, {Vector(-1.0f, 1.0f, 1.0f), b, c}) == 1.0f);
+}
+
 TEST_CASE("intersectTriangleReport misses what is small, intersectTriangleRobust does not") {
   const FlushDenormals flush;
   const Triangle<float> triangle{Vector(-1e-5f, -1e-5f, 0.0f), Vector(1e-5f, -1e-5f, 0.0f),
