@@ -23,6 +23,9 @@ constexpr std::string_view kPrelude =
     "void traceBegin(uint site) { traceHere = traceEvent == traceWanted; "
     "traceEvent = traceEvent + 1u; traceSite = traceHere ? site : traceSite; }\n";
 
+/// The variable that a result is kept in; traces name it `result`.
+const std::string kResult = "result_";
+
 /// GLSL text that makes a word of a value.
 std::string wordOf(const TraceSlot& slot) {
   switch (slot.kind) {
@@ -218,20 +221,16 @@ class Instrumenter {
   }
 
   void addReturn(const GlslFunction& function, std::size_t begin, std::size_t end) {
-    const std::string text = record(TraceSite::Kind::leave, begin, {{function.result, "result"}});
-    // Only inserted into: comments and all else of the driver's text stay as they are.
-    insert(begin, fmt::format("{{ {}{} result_ = (", precise(), function.result));
-    erased_.emplace_back(begin, begin + std::string_view("return").size());
-    insert(end, ");" + renamed(text) + " return result_");
-    insert(end + 1, " }");
-  }
-
-  /// The text that records `result`, for a variable that can't hide one of the function's.
-  static std::string renamed(std::string text) {
-    for (std::size_t at = 0; (at = text.find("result", at)) != std::string::npos; at += 7) {
-      text.insert(at + 6, "_");
+    // A name of its own, so that it hides none of the function's variables in the expression.
+    const std::string text = record(TraceSite::Kind::leave, begin, {{function.result, kResult}});
+    for (TraceSlot& slot : result_.program.sites.back().slots) {
+      slot.path.erase(kResult.size() - 1, 1);
     }
-    return text;
+    // Only inserted into: comments and all else of the driver's text stay as they are.
+    insert(begin, fmt::format("{{ {}{} {} = (", precise(), function.result, kResult));
+    erased_.emplace_back(begin, begin + std::string_view("return").size());
+    insert(end, fmt::format(");{} return {}", text, kResult));
+    insert(end + 1, " }");
   }
 
   /// In native maths the text has no `precise`.

@@ -7,6 +7,7 @@
 
 #include "gpu/buffers.h"
 #include "gpu/context.h"
+#include "gpu/passport_cache.h"
 #include "gpu/program_cache.h"
 #include "gpu/provider.h"
 #include "gpu/scene_uniforms.h"
@@ -53,12 +54,13 @@ constexpr std::uint32_t kGroupSize = 64;
 constexpr std::uint32_t kBatch = 2048;        // events of one dispatch
 constexpr std::uint32_t kMostEvents = 60000;  // the work grows with the square of their number
 
-InstrumentedShader tracedShader(const FlatScene& scene, const RenderOptions& options,
-                                const InstrumentSettings& settings) {
-  ShaderRequest request = specialise(scene, options);
+InstrumentedShader tracedShader(Context& context, const FlatScene& scene,
+                                const RenderOptions& options, const InstrumentSettings& settings) {
+  const ShaderLibrary library = shaderLibrary(options);
+  ShaderRequest request = specialise(scene, options, passportOf(context, library).corrections);
   request.main = kMainPath;
   request.virtualFiles[kMainPath] = kMain;
-  return instrumentShader(assembleShader(shaderLibrary(options), request), settings);
+  return instrumentShader(assembleShader(library, request), settings);
 }
 
 /// Geometry as literals has no functions that could be compared with the twin's.
@@ -76,10 +78,10 @@ class GpuPathTracer::Device {
          const InstrumentSettings& settings)
       : scene_(std::move(scene)),
         options_(withBuffers(options)),
-        shader_(tracedShader(*scene_, options_, settings)),
         context_(createContext(options.provider, options.threads)),
         programs_(*context_) {
     const Context::Current current = context_->use();
+    shader_ = tracedShader(*context_, *scene_, options_, settings);
     program_ = programs_.get(Stage::compute, shader_.source);
     texels_.emplace(*context_, scene_->texels);
     setSceneUniforms(*program_, *scene_, options_);
