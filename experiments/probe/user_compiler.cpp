@@ -88,7 +88,10 @@ std::vector<Diagnostic> compilerErrors(const std::string& log, const std::string
     found.push_back(
         {{match[1].str(), std::stoi(match[2].str()), column}, "as C++: " + match[4].str()});
   }
-  if (found.empty()) found.push_back({{path, 0, 0}, "as C++: " + log});
+  if (found.empty()) {
+    const SourceLocation whole{path, 0, 0};
+    found.push_back({whole, "as C++: " + log});
+  }
   return found;
 }
 

@@ -160,7 +160,7 @@ std::string textCaller(const UserFunction& function) {
     const UserValue& value = function.parameters[i];
     const std::string type = value.type == "float" ? "double" : value.type;
     text += fmt::format("  {} given{}", type, i);
-    text += value.isInput() ? "(" + scalarsFrom(value, at) + ");\n" : "{};\n";
+    text += value.isInput() ? fmt::format("({});\n", scalarsFrom(value, at)) : "{};\n";
     if (value.isInput()) at += value.size;
     arguments += fmt::format("{}given{}", i == 0 ? "" : ", ", i);
   }

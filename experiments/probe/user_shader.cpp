@@ -63,7 +63,10 @@ class Reader {
   void checkNames(const std::vector<std::string>& names) const {
     std::vector<std::string> known;
     for (const GlslFunction& function : parsed_.functions) known.push_back(function.name);
-    if (known.empty()) throw FileError({{{parsed_.path}, "found no function, expected one"}});
+    if (known.empty()) {
+      const SourceLocation whole{parsed_.path, 0, 0};
+      throw FileError({{whole, "found no function, expected one"}});
+    }
     for (const std::string& name : names) {
       if (std::ranges::find(known, name) != known.end()) continue;
       throw UsageError("found function " + quote(name) + ", expected one of " + parsed_.path +
