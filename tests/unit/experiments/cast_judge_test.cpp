@@ -1,0 +1,146 @@
+#include <cmath>
+#include <limits>
+
+#include "common/cast/case_set.h"
+#include "experiments/cast/judge.h"
+#include "experiments/cast/tally.h"
+#include "tests/catch.h"
+
+namespace twintrace {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+ExactHit exactHit(Clarity clarity = Clarity::clean) {
+  ExactHit exact;
+  exact.primitive = 0;
+  exact.clarity = clarity;
+  exact.t = 2.0;
+  exact.tUnit = 0x1p-23;
+  exact.normal = {0.0, 1.0, 0.0};
+  return exact;
+}
+
+CastHit rightAnswer() {
+  return {2.0f, 0, {0.0f, 1.0f, 0.0f}};
+}
+
+Finding findingOf(const ExactHit& exact, const CastHit& answer) {
+  return judgeHit(exact, answer, 2, false).finding;
+}
+
+}  // namespace
+
+TEST_CASE("judgeHit finds NaN and primitives that don't exist, excusing nothing", "[cast]") {
+  CastHit nanDistance = rightAnswer();
+  nanDistance.t = kNan;
+  CastHit nanNormal = rightAnswer();
+  nanNormal.normal.z = kNan;
+  CastHit beyond = rightAnswer();
+  beyond.primitive = 2;
+  for (const CastHit& answer : {nanDistance, nanNormal, beyond}) {
+    const Judgement judgement = judgeHit(exactHit(Clarity::ambiguous), answer, 2, false);
+    CHECK(judgement.finding == Finding::notANumber);
+    CHECK(judgement.counts);
+  }
+}
+
+TEST_CASE("judgeHit names misses, hits and primitives that are wrong", "[cast]") {
+  ExactHit miss = exactHit();
+  miss.primitive = -1;
+  CastHit other = rightAnswer();
+  other.primitive = 1;
+  CHECK(findingOf(miss, CastHit{}) == Finding::agrees);
+  CHECK(findingOf(miss, rightAnswer()) == Finding::falseHit);
+  CHECK(findingOf(exactHit(), CastHit{}) == Finding::falseMiss);
+  CHECK(findingOf(exactHit(), other) == Finding::wrongPrimitive);
+  CHECK(findingOf(exactHit(), rightAnswer()) == Finding::agrees);
+}
+
+TEST_CASE("judgeHit measures t in units of the surface's motion and in ulp", "[cast]") {
+  CastHit late = rightAnswer();
+  late.t = 2.0f + 6 * 0x1p-22f;
+  const Judgement judgement = judgeHit(exactHit(), late, 2, false);
+  CHECK(judgement.finding == Finding::agrees);
+  CHECK(judgement.distanceError == 12.0);
+  CHECK(judgement.ulp == 6);
+  late.t = 2.001f;
+  CHECK(findingOf(exactHit(), late) == Finding::wrongDistance);
+}
+
+TEST_CASE("judgeHit finds normals that are off, opposite or zero", "[cast]") {
+  CastHit answer = rightAnswer();
+  answer.normal = {0.0009f, 1.0f, 0.0f};
+  CHECK(findingOf(exactHit(), answer) == Finding::agrees);
+  for (const glm::vec3 normal : {glm::vec3(0.0011f, 1.0f, 0.0f), glm::vec3(0.0f, -1.0f, 0.0f),
+                                 glm::vec3(1.0f, 0.0f, 0.0f)}) {
+    answer.normal = normal;
+    CHECK(findingOf(exactHit(), answer) == Finding::wrongNormal);
+  }
+}
+
+TEST_CASE("judgeHit excuses what is ambiguous or a tie, but no gap in a closed surface", "[cast]") {
+  for (const Clarity clarity : {Clarity::ambiguous, Clarity::tie}) {
+    CHECK_FALSE(judgeHit(exactHit(clarity), CastHit{}, 1, false).counts);
+    CHECK(judgeHit(exactHit(clarity), CastHit{}, 1, true).counts);
+  }
+  CHECK(judgeHit(exactHit(), CastHit{}, 1, false).counts);
+}
+
+TEST_CASE("judgeBounce tells self-hits, leaks and rays that never started", "[cast]") {
+  const auto judged = [](std::int32_t primitive, Expectation expectation) {
+    CastHit answer = rightAnswer();
+    answer.primitive = primitive;
+    return judgeBounce(answer, expectation).finding;
+  };
+  CHECK(judged(-1, Expectation::escape) == Finding::agrees);
+  CHECK(judged(0, Expectation::escape) == Finding::selfHit);
+  CHECK(judged(1, Expectation::plate) == Finding::agrees);
+  CHECK(judged(0, Expectation::plate) == Finding::selfHit);
+  CHECK(judged(-1, Expectation::plate) == Finding::leak);
+  CHECK(judged(kBounceNotStarted, Expectation::plate) == Finding::notStarted);
+}
+
+TEST_CASE("sameAnswer compares bits, but not those of misses nor the sign of zero", "[cast]") {
+  CastHit a = rightAnswer();
+  CastHit b = rightAnswer();
+  b.normal.x = -0.0f;
+  CHECK(sameAnswer(a, b));
+  b.t = std::nextafter(2.0f, 3.0f);
+  CHECK_FALSE(sameAnswer(a, b));
+  a.primitive = b.primitive = -1;
+  CHECK(sameAnswer(a, b));
+}
+
+TEST_CASE("Tally counts clean rays apart and takes quantiles of them", "[cast]") {
+  Tally tally;
+  for (int i = 1; i <= 1001; ++i) {
+    Judgement judgement;
+    judgement.comparable = true;
+    judgement.counts = i <= 501;
+    judgement.distanceError = i;
+    judgement.ulp = static_cast<std::uint32_t>(i);
+    tally.add(judgement);
+  }
+  CHECK(tally.all().rays == 1001);
+  CHECK(tally.clean().rays == 501);
+  CHECK(tally.distanceErrors(false).most == 1001.0);
+  CHECK(tally.distanceErrors(false).usual == 1000.0);
+  CHECK(tally.ulps(true).most == 501.0);
+  CHECK(tally.inexcusable() == 0);
+}
+
+TEST_CASE("Tally holds a wrong normal or NaN of a clean ray inexcusable", "[cast]") {
+  Tally tally;
+  CastHit tilted = rightAnswer();
+  tilted.normal = {1.0f, 0.0f, 0.0f};
+  tally.add(judgeHit(exactHit(Clarity::ambiguous), tilted, 1, false));
+  CHECK(tally.inexcusable() == 0);
+  tally.add(judgeHit(exactHit(), tilted, 1, false));
+  CHECK(tally.inexcusable() == 1);
+  tilted.t = kNan;
+  tally.add(judgeHit(exactHit(Clarity::ambiguous), tilted, 1, false));
+  CHECK(tally.inexcusable() == 2);
+}
+
+}  // namespace twintrace
