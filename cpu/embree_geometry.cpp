@@ -26,8 +26,11 @@ void addCorners(EmbreeTriangles& triangles, bool turned) {
   }
 }
 
-bool isFinite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+/// Debian's Embree ends the program on a ray with a component beyond its FLT_LARGE.
+bool isInReach(const glm::vec3& v) {
+  constexpr float kFarthest = 1.844e18f;
+  const glm::vec3 size = glm::abs(v);
+  return size.x <= kFarthest && size.y <= kFarthest && size.z <= kFarthest;
 }
 
 /// A geometry's buffer of `count` elements, filled from `data`.
@@ -83,7 +86,7 @@ void attachTriangles(const EmbreeDevice& device, const EmbreeScene& scene, unsig
 }
 
 bool isEmbreeRay(const CastRay& ray) {
-  return isFinite(ray.origin) && isFinite(ray.direction) && ray.direction != glm::vec3(0.0f) &&
+  return isInReach(ray.origin) && isInReach(ray.direction) && ray.direction != glm::vec3(0.0f) &&
          ray.tmin <= ray.tmax;
 }
 
