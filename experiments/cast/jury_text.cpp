@@ -81,14 +81,17 @@ std::string twinsText(const JuryReport& report) {
                      report.twinsCompared);
 }
 
+std::string countText(std::uint64_t count) {
+  return count < 10000 ? std::to_string(count) : fmt::format("{:.0e}", double(count));
+}
+
 /// `inexcusable share`, in 11 columns.
 std::string cell(const EngineVerdict& engine) {
   const Tally& tally = engine.tally;
   const std::uint64_t asked = tally.all().rays - tally.notStarted();
   if (asked == 0) return fmt::format(" {:>10}", "-");
   const std::uint64_t wrong = tally.all().wrongAnswers() + tally.notNumbers();
-  return fmt::format(" {:>4} {:>5}", errorText(double(tally.inexcusable())).substr(0, 6),
-                     shareText(wrong, asked));
+  return fmt::format(" {:>4} {:>5}", countText(tally.inexcusable()), shareText(wrong, asked));
 }
 
 std::string vectorText(const glm::vec3& v) {
