@@ -95,6 +95,7 @@ class Comparer {
     }
     ArmsComparison result = gather(runA, *stop, runB, *stop);
     judgePaired(result, differences);
+    result.differences = std::move(differences);
     return result;
   }
 

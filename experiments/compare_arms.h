@@ -4,6 +4,7 @@
 #include "experiments/arm.h"
 #include "experiments/arm_run.h"
 #include "experiments/comparison.h"
+#include "experiments/first_difference.h"
 #include "experiments/job_control.h"
 
 namespace twintrace {
@@ -38,6 +39,7 @@ struct ArmsComparison {
   Comparison comparison;
   ArmOutcome a;
   ArmOutcome b;
+  std::optional<FrameDifferences> differences = std::nullopt;  ///< of paired arms
 };
 
 /// Renders two arms frame by frame in turns and compares them. A paired run ends for both arms as

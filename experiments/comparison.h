@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,18 @@ struct FirstDifference {
   std::array<float, 3> b{};
 };
 
+/// How much of a difference is of one class.
+struct DifferenceShare {
+  double pixels = 0;  ///< of the pixels examined, 0..1
+  double energy = 0;  ///< of the sum of their absolute differences, 0..1
+};
+
+/// The classes of differences between paired arms.
+struct DifferenceShares {
+  int examined = 0;  ///< differing pixels that were explained
+  std::map<std::string, DifferenceShare> byClass;
+};
+
 /// What the comparison of two pictures found, whether rendered or read.
 struct Comparison {
   Verdict verdict = Verdict::inconclusive;
@@ -50,6 +63,10 @@ struct Comparison {
   ExrContent b;
   Image z;  ///< empty if no errors are known
   std::vector<float> ulp;
+  DifferenceShares classes;
+  /// Of the pixels that were explained the vertex of the path where the arms part, else -1; empty if
+  /// none was explained.
+  std::vector<float> divergeBounce;
 };
 
 /// Compares two pictures by value and draws the maps; verdict and tests are left to the caller.

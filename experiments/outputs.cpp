@@ -30,6 +30,9 @@ ExrContent differenceContent(const Comparison& comparison) {
   const std::vector<float>& b = comparison.b.image.rgb;
   for (std::size_t i = 0; i < b.size(); ++i) content.image.rgb[i] -= b[i];
   content.extra.push_back({"ulp", comparison.ulp});
+  if (!comparison.divergeBounce.empty()) {
+    content.extra.push_back({"diverge.bounce", comparison.divergeBounce});
+  }
   if (!comparison.z.empty()) {
     content.extra.push_back({"z.R", channelOf(comparison.z, 0)});
     content.extra.push_back({"z.G", channelOf(comparison.z, 1)});

@@ -50,7 +50,8 @@ void writeText(const std::string& path, const std::string& text);
 inline constexpr std::array kComparisonFiles = {"compare.json", "passport.json", "a.exr", "b.exr",
                                                 "diff.exr",     "a.png",         "b.png", "sheet.png"};
 
-/// Writes a.exr, b.exr, a.png, b.png, diff.exr (difference a - b with the maps ulp and z) and
+/// Writes a.exr, b.exr, a.png, b.png, diff.exr (difference a - b with the maps ulp, z and
+/// diverge.bounce) and
 /// sheet.png, on which `header` stands above the pictures.
 void writeComparisonPictures(OutputAttempts& outputs, const std::string& directory,
                              const Comparison& comparison, const std::vector<std::string>& header,

@@ -47,7 +47,7 @@ Json familyJson(const Comparison& comparison) {
           {"worst_channel", family.worstChannel}};
 }
 
-/// Keys of design section 9 up to the times; `classes` is filled by `explain`.
+/// Keys of design section 9 up to the times.
 Json comparisonJson(const Comparison& comparison) {
   const BitComparison& bits = comparison.bits;
   return {{"verdict", verdictName(comparison.verdict)},
@@ -67,9 +67,20 @@ Json comparisonJson(const Comparison& comparison) {
           {"equivalence", equivalenceJson(comparison.equivalence)}};
 }
 
+/// Share of the explained pixels, and of their difference, by class.
+Json classesJson(const DifferenceShares& classes) {
+  Json json = Json::object();
+  if (classes.examined == 0) return json;
+  json["examined_pixels"] = classes.examined;
+  for (const auto& [name, share] : classes.byClass) {
+    json[name] = {{"pixels", share.pixels}, {"energy", share.energy}};
+  }
+  return json;
+}
+
 void addEnding(Json& json, const Comparison& comparison) {
   json["first_difference"] = firstDifferenceJson(comparison.first);
-  json["classes"] = Json::object();
+  json["classes"] = classesJson(comparison.classes);
   json["notes"] = comparison.notes;
 }
 

@@ -17,6 +17,7 @@ struct Command {
 Command addRenderCommand(CLI::App& program, const Console& console);
 Command addCompareCommand(CLI::App& program, const Console& console);
 Command addCastCommand(CLI::App& program, const Console& console);
+Command addExplainCommand(CLI::App& program, const Console& console);
 Command addMergeCommand(CLI::App& program, const Console& console);
 Command addPickCommand(CLI::App& program, const Console& console);
 Command addProbeCommand(CLI::App& program, const Console& console);

@@ -14,6 +14,7 @@
 #include "experiments/cli/progress_display.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/compare_files.h"
+#include "experiments/explain/difference_classes.h"
 #include "experiments/outputs.h"
 #include "experiments/passport/stored_passports.h"
 
@@ -176,7 +177,9 @@ class CompareCommand {
     ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
     const JobControl control{[&](const JobProgress& state) { display.show(state); },
                              [&] { return interrupt.interrupted(); }};
-    return compareArms(a, b, paired, settings_, control);
+    ArmsComparison result = compareArms(a, b, paired, settings_, control);
+    addDifferenceClasses(result, a, b, control);
+    return result;
   }
 
   void finish(const Comparison& comparison, const Json& json, const std::string& timesText,

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/scene/flat_scene.h"
+#include "experiments/explain/explanation.h"
+#include "experiments/results_json.h"
+
+namespace twintrace {
+
+/// What an explanation is about, besides the explanation itself.
+struct ExplainedSample {
+  PixelPosition pixel;
+  std::int64_t sample = 0;
+  std::vector<std::string> notes;  ///< what a reader has to know
+};
+
+/// For people: the path on both arms, the first differing operation, and what followed.
+std::string explanationText(const FlatScene& scene, const ExplainedSample& about,
+                            const SampleExplanation& explanation);
+
+/// The same as JSON: `x`, `y`, `sample`, `identical`, `class`, `first` {`function`, ...}, `vertices`.
+Json explanationJson(const FlatScene& scene, const ExplainedSample& about,
+                     const SampleExplanation& explanation);
+
+}  // namespace twintrace
