@@ -57,7 +57,8 @@ struct SampleExplanation {
   std::vector<WordDifference> wordDifferences() const;
 };
 
-/// Traces a sample of a pixel on both arms into `result`, which must be fresh.
+/// Traces a sample of a pixel on both arms into `result`, which must be fresh; the
+/// tracers have to outlive it.
 ///
 /// The class is the first discrete event, in the order of the path: a branch that the first differing
 /// call takes otherwise, another primitive, a shadow ray with another answer (light leak), another
