@@ -64,9 +64,33 @@ class Planted(unittest.TestCase):
         self.assert_found("precise", "return in pointAt computes")
 
     def test_condition_that_computes(self):
-        self.plant("shaders/math.glsl", "  precise float result = sqrt(x);",
+        self.plant("shaders/corrected.glsl", "  precise float result = sqrt(x);",
                    "  precise float result = x;\n  if (x * x > 1.0f) {\n    return x;\n  }")
-        self.assert_found("precise", "if in squareRoot computes")
+        self.assert_found("precise", "if in approximateRoot computes")
+
+    def test_double_without_precise(self):
+        name = "shaders/surface.glsl"
+        for kind, local in (("double", "chord"), ("dvec3", "toAxis")):
+            line = self.plant(name, f"  precise {kind} {local} =", f"  {kind} {local} =")
+            self.assert_found("precise", f"{name}:{line}: {kind} {local} in sphereNormal")
+
+    def test_doubles_that_compute_outside_a_local(self):
+        name = "shaders/surface.glsl"
+        line = self.plant(name, "sqrt(squared)", "sqrt((r2 - l2) / a)")
+        self.assert_found("precise", f"{name}:{line}: an argument of sqrt in sphereNormal")
+        line = self.plant(name, "bool meets = squared >= 0.0f",
+                          "bool meets = true;\n  while (r2 - l2 < 0.0f) {\n  }")
+        self.assert_found("precise", f"{name}:{line + 1}: while in sphereNormal computes")
+        line = self.plant(name, "  precise vec3 axis =",
+                          "  if (beyond > height - squared) {\n  }\n  precise vec3 axis =")
+        self.assert_found("precise", f"{name}:{line}: if in orientedBoxSurface computes")
+
+    def test_constructor_of_doubles_may_compute(self):
+        self.plant("shaders/surface.glsl", "dvec3(ray.direction)",
+                   "dvec3(ray.direction * ray.direction)")
+        self.plant("shaders/surface.glsl", "double(sphere.radius)",
+                   "double(sphere.radius + sphere.radius)")
+        self.assertEqual(list(CHECKS["precise"](self.copy)), [])
 
     def test_argument_that_computes(self):
         for name, old, new, message in (
@@ -89,11 +113,12 @@ class Planted(unittest.TestCase):
 
     def test_forbidden_builtins(self):
         for call in ("dot(a, b)", "mix(a, b, c)", "max(a, b)", "inversesqrt(a)", "fract(a)"):
-            line = self.plant("shaders/math.glsl", "  precise float result = a / b;",
+            name = "shaders/corrected.glsl"
+            line = self.plant(name, "  precise float result = a / b;",
                               f"  precise float result = a / b + {call};")
             self.assert_found("builtins",
-                              f"shaders/math.glsl:{line}: forbidden builtin {call.split('(')[0]}")
-            shutil.copy(ROOT / "shaders/math.glsl", self.copy / "shaders/math.glsl")
+                              f"{name}:{line}: forbidden builtin {call.split('(')[0]}")
+            shutil.copy(ROOT / name, self.copy / name)
 
     def test_native_maths_may_use_builtins(self):
         self.plant("shaders/math_native.glsl", "return sqrt(x);", "return pow(x, 0.5f);")
