@@ -76,12 +76,14 @@ std::string readAll(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The errors of g++ or clang++: `path:line:column: error: message`.
+constexpr std::size_t kMaxErrors = 20;
+
+/// The first errors of g++ or clang++: `path:line:column: error: message`.
 std::vector<Diagnostic> compilerErrors(const std::string& log, const std::string& path) {
   static const std::regex error(R"(^(.*?):(\d+):(?:(\d+):)? (?:fatal )?error: (.*)$)");
   std::vector<Diagnostic> found;
   std::istringstream lines(log);
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; found.size() < kMaxErrors && std::getline(lines, line);) {
     std::smatch match;
     if (!std::regex_match(line, match, error)) continue;
     const int column = match[3].matched ? std::stoi(match[3].str()) : 0;
@@ -105,10 +107,9 @@ SharedLibrary compileLibrary(const std::string& text, const std::string& path) {
   if (!(std::ofstream(source, std::ios::binary) << text << std::flush)) {
     throw IoError(source + ": cannot be written");
   }
-  const bool compiled = runProgram(
-      {compilerName(), "-std=c++20", "-O1", "-w", "-ffp-contract=off", "-fPIC", "-shared",
-       "-fmax-errors=20", "-fno-diagnostics-show-caret", "-o", library, source},
-      log);
+  const bool compiled = runProgram({compilerName(), "-std=c++20", "-O1", "-w", "-ffp-contract=off",
+                                    "-fPIC", "-shared", "-o", library, source},
+                                   log);
   if (!compiled) throw FileError(compilerErrors(readAll(log), path));
   return SharedLibrary({library}, "g++");
 }

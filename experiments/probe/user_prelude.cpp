@@ -12,7 +12,7 @@ using uint = std::uint32_t;
 template <class T> concept Integer = std::same_as<T, int> || std::same_as<T, uint>;
 template <class T, int N> struct Vector;
 template <class T> struct Vector<T, 2> {
-  T x{}, y{};
+  union { T x{}; T r, s; }; union { T y{}; T g, t; };
   Vector() = default;
   explicit Vector(T s) : x(s), y(s) {}
   Vector(T a, T b) : x(a), y(b) {}
@@ -23,7 +23,7 @@ template <class T> struct Vector<T, 2> {
   template <int... I> auto swizzle() const { return Vector<T, sizeof...(I)>((*this)[I]...); }
 };
 template <class T> struct Vector<T, 3> {
-  T x{}, y{}, z{};
+  union { T x{}; T r, s; }; union { T y{}; T g, t; }; union { T z{}; T b, p; };
   Vector() = default;
   explicit Vector(T s) : x(s), y(s), z(s) {}
   Vector(T a, T b, T c) : x(a), y(b), z(c) {}
@@ -36,7 +36,8 @@ template <class T> struct Vector<T, 3> {
   template <int... I> auto swizzle() const { return Vector<T, sizeof...(I)>((*this)[I]...); }
 };
 template <class T> struct Vector<T, 4> {
-  T x{}, y{}, z{}, w{};
+  union { T x{}; T r, s; }; union { T y{}; T g, t; };
+  union { T z{}; T b, p; }; union { T w{}; T a, q; };
   Vector() = default;
   explicit Vector(T s) : x(s), y(s), z(s), w(s) {}
   Vector(T a, T b, T c, T d) : x(a), y(b), z(c), w(d) {}
@@ -48,6 +49,7 @@ template <class T> struct Vector<T, 4> {
   template <int... I> auto swizzle() const { return Vector<T, sizeof...(I)>((*this)[I]...); }
 };
 using vec2 = Vector<double, 2>; using vec3 = Vector<double, 3>; using vec4 = Vector<double, 4>;
+using dvec2 = vec2; using dvec3 = vec3; using dvec4 = vec4;
 using ivec2 = Vector<int, 2>; using ivec3 = Vector<int, 3>; using ivec4 = Vector<int, 4>;
 using uvec2 = Vector<uint, 2>; using uvec3 = Vector<uint, 3>; using uvec4 = Vector<uint, 4>;
 #define SHADER_OPERATOR(op)                                                                      \

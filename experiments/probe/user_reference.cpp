@@ -1,6 +1,7 @@
 #include "experiments/probe/user_reference.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -49,7 +50,7 @@ void editParameters(const GlslText& parsed, std::vector<Edit>& edits) {
   }
 }
 
-/// Takes the f off literals, so that `0.1f` is a tenth in double too.
+/// Takes the f or lf off literals, so that `0.1f` is a tenth in double too.
 void editLiterals(const std::string& text, std::vector<Edit>& edits) {
   for (std::size_t at = 0; at < text.size();) {
     if (!isWordChar(text[at]) && text[at] != '.') {
@@ -66,27 +67,34 @@ void editLiterals(const std::string& text, std::vector<Edit>& edits) {
     }
     const bool suffixed = text[end - 1] == 'f' || text[end - 1] == 'F';
     const bool digits = end - at > 1 && std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0;
-    if (number && !hex && suffixed && (text[at] != '.' || digits))
-      edits.push_back({end - 1, 1, ""});
+    if (number && !hex && suffixed && (text[at] != '.' || digits)) {
+      const bool wide = text[end - 2] == 'l' || text[end - 2] == 'L';
+      const std::size_t length = wide ? 2 : 1;
+      edits.push_back({end - length, length, ""});
+    }
     at = end;
   }
 }
 
-/// `.xyz` becomes `.swizzle<0, 1, 2>()`.
+/// The place of each component if all are of one set of names, such as rgb; else nothing.
+std::vector<std::size_t> swizzle(std::string_view word) {
+  for (const std::string_view names : {"xyzw", "rgba", "stpq"}) {
+    if (word.find_first_not_of(names) != std::string_view::npos) continue;
+    std::vector<std::size_t> places;
+    for (const char c : word) places.push_back(names.find(c));
+    return places;
+  }
+  return {};
+}
+
+/// `.xyz` becomes `.swizzle<0, 1, 2>()`; a single component is a member.
 void editSwizzles(const std::string& text, std::vector<Edit>& edits) {
-  constexpr std::string_view kNames = "xyzw";
   for (std::size_t at = 0; (at = text.find('.', at)) != std::string::npos; ++at) {
     std::size_t end = at + 1;
     while (end < text.size() && isWordChar(text[end])) ++end;
-    const std::string word = text.substr(at + 1, end - at - 1);
-    if (word.size() < 2 || word.size() > 4 || word.find_first_not_of(kNames) != std::string::npos) {
-      continue;
-    }
-    std::string indices;
-    for (const char c : word) {
-      indices += (indices.empty() ? "" : ", ") + std::to_string(kNames.find(c));
-    }
-    edits.push_back({at, word.size() + 1, ".swizzle<" + indices + ">()"});
+    const std::vector<std::size_t> places = swizzle({&text[at + 1], end - at - 1});
+    if (places.size() < 2 || places.size() > 4) continue;
+    edits.push_back({at, end - at, fmt::format(".swizzle<{}>()", fmt::join(places, ", "))});
   }
 }
 

@@ -87,6 +87,20 @@ UserReference referenceFor(const UserFunction& function, const ShaderSource& sou
   return namedReference(reference, function);
 }
 
+/// What the GPU runs, with the scene's index as constants: a reference has no uniforms to set.
+ShaderSource sourceForReference(const ShaderLibrary& library, const World& world,
+                                const RenderOptions& options) {
+  ShaderRequest request = specialise(world.scene, options);
+  request.main = kUserPath;
+  for (const auto& [name, value] : indexConstants(world.scene.index)) {
+    const std::string uniform = fmt::format("uniform int {};", name);
+    const std::size_t at = request.prelude.find(uniform);
+    if (at == std::string::npos) continue;
+    request.prelude.replace(at, uniform.size(), fmt::format("const int {} = {};", name, value));
+  }
+  return assembleShader(library, request);
+}
+
 /// The kind of each word.
 std::vector<Kind> kindsOf(const std::vector<UserValue>& values) {
   std::vector<Kind> kinds;
@@ -209,9 +223,7 @@ std::vector<UserTrial> tryUserShader(Context& context, const RenderOptions& opti
   used.maths = options.maths;
   std::vector<UserTrial> trials;
   for (const UserFunction& function : shader.functions) {
-    ShaderRequest request = specialise(world.scene, used);
-    request.main = kUserPath;
-    const ShaderSource source = assembleShader(library, request);
+    const ShaderSource source = sourceForReference(library, world, used);
     const auto inputs = drawUserInputs(function, settings.samples, settings.seed);
     const auto gpu = runProbe(context, library, userProbe(function), world.scene, used, inputs);
     const UserReference reference = referenceFor(function, source, settings.reference);

@@ -100,6 +100,26 @@ TEST_CASE("probe --shader agrees with the same text in double", "[probe][gl]") {
   CHECK_THAT(result.out, Contains("agreement of f(vec3, vec2)"));
 }
 
+TEST_CASE("probe --shader's reference reads components by all their names", "[probe][gl]") {
+  const TemporaryDirectory directory;
+  const ProgramResult result =
+      probeText(directory,
+                "// twintrace: c in [0.1, 1]\n"
+                "vec3 f(vec4 c) {\n"
+                "  dvec2 wide = dvec2(c.r, c.q) * 0.25lf;\n"
+                "  return c.bgr * c.g + vec3(c.st, float(wide.y)) + c.rba * float(wide.x);\n}\n");
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+}
+
+TEST_CASE("probe --shader gives its reference the scene's index", "[probe][gl]") {
+  const TemporaryDirectory directory;
+  const ProgramResult result =
+      probeText(directory, "int f(int x) { return x + kMaterialOffset * 7 + kLightCount; }");
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+}
+
 TEST_CASE("probe --shader finds the planted mistake of the example", "[probe][gl]") {
   const TemporaryDirectory directory;
   const std::vector<std::string> words = {"probe",
