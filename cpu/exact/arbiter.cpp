@@ -121,6 +121,7 @@ class Trial {
     hit.t = distance(candidate);
     hit.normal = exact::normalOf(primitive, ray_, hit, crossing.axis, crossing.side);
     hit.tUnit = exact::tUnitOf(primitive, ray_, hit);
+    hit.facesBeside = exact::facesBeside(primitive, ray_, hit, crossing.axis);
     return hit;
   }
 

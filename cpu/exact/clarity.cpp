@@ -346,6 +346,28 @@ glm::dvec3 normalOf(const CasePrimitive& primitive, const CastRay& ray, const Ex
   return length > 0.0 ? normal / length : -line.direction;
 }
 
+std::vector<FaceBeside> facesBeside(const CasePrimitive& primitive, const CastRay& ray,
+                                    const ExactHit& hit, int axis) {
+  std::vector<FaceBeside> faces;
+  if (primitive.kind != CaseKind::box && primitive.kind != CaseKind::orientedBox) return faces;
+  const Line line(ray);
+  const double ulp = ulpAt(primitive, line, hit.t * line.length);
+  const MovingSlabs slabs = slabsOf(primitive, line);
+  for (int i = 0; i < 3; ++i) {
+    const MovingSlab& slab = slabs[i];
+    if (i == axis || slab.slope == 0.0) continue;
+    const int side = (slab.slope > 0.0) == hit.leaving ? 1 : -1;
+    const double bound = side > 0 ? slab.high : slab.low;
+    FaceBeside face;
+    face.t = (bound - slab.position) / slab.slope / line.length;
+    face.tUnit = ulp * slab.moveScale / std::fabs(slab.slope) / line.length;
+    if (std::fabs(face.t - hit.t) > kMoves * (face.tUnit + hit.tUnit)) continue;
+    face.normal = normalOf(primitive, ray, hit, i, side);
+    faces.push_back(face);
+  }
+  return faces;
+}
+
 double tUnitOf(const CasePrimitive& primitive, const CastRay& ray, const ExactHit& hit) {
   const Line line(ray);
   const double ulp = ulpAt(primitive, line, hit.t * line.length);

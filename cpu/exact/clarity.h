@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 #include "common/cast/case_set.h"
 #include "common/cast/exact_hit.h"
@@ -29,6 +30,13 @@ Clarity clarityOf(std::span<const CasePrimitive> primitives, const CastRay& ray,
 /// @param axis,side of boxes: the slab and its bound (-1, 1) that was hit
 glm::dvec3 normalOf(const CasePrimitive& primitive, const CastRay& ray, const ExactHit& hit,
                     int axis, int side);
+
+/// Faces of a box that such moves make the hit one, crossed the same way, inwards or outwards; none
+/// of what is no box.
+/// @param hit with t, tUnit and leaving
+/// @param axis slab of the face that was hit
+std::vector<FaceBeside> facesBeside(const CasePrimitive& primitive, const CastRay& ray,
+                                    const ExactHit& hit, int axis);
 
 /// Change of t when the hit surface moves by 1 ulp(M) along its normal: ulp(M) / |normal .
 /// direction|, for a sphere the change of the root itself, which stays finite at a tangent.

@@ -37,26 +37,26 @@ inline bool operator==(NativeFloat a, NativeFloat b) { return a.value == b.value
 
 /// What belongs to a number type: Mask, Int and Uint; Noise, the type in which random numbers are
 /// computed (double arms draw the floats of float arms); Wider, the GLSL double of the kernel, which
-/// holds a product of two numbers exactly; native, whether its elementary functions are the standard
-/// library's.
+/// holds a product of two numbers exactly, or for double has at least some digits more where the
+/// platform does; native, whether its elementary functions are the standard library's.
 template <class R>
 struct NumberTraits;
 
-template <class R, class NoiseType, bool isNative>
+template <class R, class NoiseType, class WiderType, bool isNative>
 struct ScalarTraits {
   using Mask = bool;
   using Int = std::int32_t;
   using Uint = std::uint32_t;
   using Noise = NoiseType;
-  using Wider = double;
+  using Wider = WiderType;
   static constexpr bool native = isNative;
 };
 template <>
-struct NumberTraits<float> : ScalarTraits<float, float, false> {};
+struct NumberTraits<float> : ScalarTraits<float, float, double, false> {};
 template <>
-struct NumberTraits<double> : ScalarTraits<double, float, true> {};
+struct NumberTraits<double> : ScalarTraits<double, float, long double, true> {};
 template <>
-struct NumberTraits<NativeFloat> : ScalarTraits<NativeFloat, NativeFloat, true> {};
+struct NumberTraits<NativeFloat> : ScalarTraits<NativeFloat, NativeFloat, double, true> {};
 
 template <class R>
 using MaskOf = typename NumberTraits<R>::Mask;
@@ -144,7 +144,7 @@ inline NativeFloat floorOf(NativeFloat x) { return floorOf(x.value); }
 
 /// A number as a wider one, exactly.
 inline double wider(float x) { return x; }
-inline double wider(double x) { return x; }
+inline long double wider(double x) { return x; }
 inline double wider(NativeFloat x) { return x.value; }
 
 /// The nearest number to a wider one; infinity beyond the largest.
@@ -152,7 +152,7 @@ inline float nearestFloat(double x) { return static_cast<float>(x); }
 template <class R>
 R rounded(WiderOf<R> x) {
   if constexpr (std::is_same_v<R, double>) {
-    return x;
+    return static_cast<double>(x);
   } else {
     return R(nearestFloat(x));
   }
@@ -166,14 +166,15 @@ WiderOf<R> differenceOfProducts(R a, R b, R c, R d) {
 /// Kahan's: there is no type in which products of doubles are exact, but fused multiplication gives
 /// what the rounded one lacks.
 template <>
-inline double differenceOfProducts(double a, double b, double c, double d) {
+inline long double differenceOfProducts(double a, double b, double c, double d) {
   const double product = c * d;
   const double lacking = std::fma(-c, d, product);
-  return std::fma(a, b, -product) + lacking;
+  return wider(std::fma(a, b, -product)) + lacking;
 }
 
 inline float rootOf(float x) { return std::sqrt(x); }
 inline double rootOf(double x) { return std::sqrt(x); }
+inline long double rootOf(long double x) { return std::sqrt(x); }
 inline NativeFloat rootOf(NativeFloat x) { return std::sqrt(x.value); }
 
 /// Conversion towards zero; x in the range of int32.

@@ -1,7 +1,9 @@
 #include "experiments/cast/judge.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "common/base/float_bits.h"
 #include "common/cast/case_set.h"
@@ -26,6 +28,28 @@ bool isNormalOff(const glm::dvec3& exact, const glm::vec3& answer) {
   return !(across <= kMostNormalError * along);
 }
 
+/// Which face of a box was hit is not asked where two meet.
+bool isNormalOff(const ExactHit& exact, const glm::vec3& answer) {
+  if (!isNormalOff(exact.normal, answer)) return false;
+  return std::none_of(exact.facesBeside.begin(), exact.facesBeside.end(),
+                      [&](const FaceBeside& face) { return !isNormalOff(face.normal, answer); });
+}
+
+/// Beside an edge the other face's distance is as good, with its own rounding.
+bool isDistanceOff(const ExactHit& exact, float t, double error) {
+  if (error <= kMostDistanceError) return false;
+  return std::none_of(exact.facesBeside.begin(), exact.facesBeside.end(),
+                      [&](const FaceBeside& face) {
+                        return std::fabs(double(t) - face.t) <= kMostDistanceError * face.tUnit;
+                      });
+}
+
+/// A distance as an answer can have it: denormal numbers count as zero.
+float asDistance(double t) {
+  const auto rounded = static_cast<float>(t);
+  return std::fabs(rounded) < std::numeric_limits<float>::min() ? 0.0f : rounded;
+}
+
 Finding judgePrimitive(const ExactHit& exact, const CastHit& answer) {
   if (exact.primitive < 0) return answer.valid() ? Finding::falseHit : Finding::agrees;
   if (!answer.valid()) return Finding::falseMiss;
@@ -34,12 +58,12 @@ Finding judgePrimitive(const ExactHit& exact, const CastHit& answer) {
 
 void compareSurfaces(Judgement& judgement, const ExactHit& exact, const CastHit& answer) {
   judgement.comparable = true;
-  judgement.ulp = ulpDistance(answer.t, static_cast<float>(exact.t));
+  judgement.ulp = ulpDistance(asDistance(answer.t), asDistance(exact.t));
   const double difference = std::fabs(double(answer.t) - exact.t);
   // A t that is exact to rounding has no error, even where the unit vanishes.
   judgement.distanceError = judgement.ulp == 0 ? 0.0 : difference / exact.tUnit;
-  judgement.normalOff = isNormalOff(exact.normal, answer.normal);
-  if (!(judgement.distanceError <= kMostDistanceError)) {
+  judgement.normalOff = isNormalOff(exact, answer.normal);
+  if (isDistanceOff(exact, answer.t, judgement.distanceError)) {
     judgement.finding = Finding::wrongDistance;
   } else if (judgement.normalOff) {
     judgement.finding = Finding::wrongNormal;

@@ -25,9 +25,9 @@ enum class Finding : std::uint8_t {
 /// Its name in tables and files, such as `false-miss`.
 const char* findingName(Finding finding);
 
-/// Units of ExactHit::tUnit. What a sound float algorithm leaves is below 5; within 64 ulp of an
-/// oriented box's edge, rounded axes may choose the neighbouring face.
-inline constexpr double kMostDistanceError = 64.0;
+/// Units of tUnit: what a sound float algorithm leaves. At a box's edge the distance and the normal
+/// may be those of either face.
+inline constexpr double kMostDistanceError = 5.0;
 
 /// Radians. Ten times what a unit normal of a sphere seen from 1e3 radii loses by rounding o + t d.
 inline constexpr double kMostNormalError = 1e-3;
@@ -37,7 +37,7 @@ struct Judgement {
   Finding finding = Finding::agrees;
   bool counts = false;       ///< nothing excuses it: the ray is clean, or the surface closed
   bool comparable = false;   ///< both hit the same primitive, so that the rest says something
-  double distanceError = 0;  ///< |t - exact t| / tUnit
+  double distanceError = 0;  ///< |t - exact t| / tUnit; 0 if both round to the same float
   std::uint32_t ulp = 0;     ///< of t
   bool normalOff = false;    ///< by more than kMostNormalError, whatever the finding
 };

@@ -198,6 +198,23 @@ TEST_CASE("a bounce leaves the first hit and finds the second", "[cpu][cases]") 
   }
 }
 
+TEST_CASE("a bounce off a sphere in double does not hit it again, from far away too",
+          "[cpu][cases]") {
+  const auto engine = engineOf(Intersector::robust, Precision::float64);
+  CaseSet cases;
+  cases.primitives = {unitSphere()};
+  cases.scenes = {{0, 1}};
+  for (int i = 0; i < 1000; ++i) {
+    const float part = static_cast<float>(i) / 1000.0f;
+    const float distance = i % 2 == 0 ? 20.0f : 1000.0f;
+    const glm::vec3 direction(0.5f * part, 0.3f, -1.0f);
+    const glm::vec3 target(0.3f - 0.5f * part, 0.4f * part, 0.1f);
+    cases.rays.push_back({{target - direction * distance, direction}, 0});
+    cases.bounces.push_back({part, 0.999f - 0.9f * part});
+  }
+  for (const CastHit& hit : engine->cast(cases)) CHECK(hit.primitive == -1);
+}
+
 TEST_CASE("an engine without rays or primitives has nothing to do", "[cpu][cases]") {
   CHECK(robust()->cast(CaseSet()).empty());
   CHECK(castOne(*robust(), {}, kDown).primitive == -1);

@@ -59,13 +59,56 @@ TEST_CASE("judgeHit names misses, hits and primitives that are wrong", "[cast]")
 
 TEST_CASE("judgeHit measures t in units of the surface's motion and in ulp", "[cast]") {
   CastHit late = rightAnswer();
-  late.t = 2.0f + 6 * 0x1p-22f;
+  late.t = 2.0f + 2 * 0x1p-22f;
   const Judgement judgement = judgeHit(exactHit(), late, 2, false);
   CHECK(judgement.finding == Finding::agrees);
-  CHECK(judgement.distanceError == 12.0);
-  CHECK(judgement.ulp == 6);
-  late.t = 2.001f;
+  CHECK(judgement.distanceError == 4.0);
+  CHECK(judgement.ulp == 2);
+  late.t = 2.0f + 3 * 0x1p-22f;
   CHECK(findingOf(exactHit(), late) == Finding::wrongDistance);
+}
+
+TEST_CASE("judgeHit takes the distance of either face at an edge", "[cast]") {
+  ExactHit edge = exactHit();
+  edge.facesBeside = {{2.0 + 30 * 0x1p-22, 0x1p-23, {1.0, 0.0, 0.0}}};
+  CastHit late = rightAnswer();
+  late.t = 2.0f + 32 * 0x1p-22f;
+  CHECK(findingOf(edge, late) == Finding::agrees);
+  CHECK(judgeHit(edge, late, 2, false).distanceError == 64.0);
+  for (const int ulps : {20, 33}) {
+    late.t = 2.0f + static_cast<float>(ulps) * 0x1p-22f;
+    CHECK(findingOf(edge, late) == Finding::wrongDistance);
+  }
+}
+
+TEST_CASE("judgeHit takes a t that is a denormal number for zero", "[cast]") {
+  ExactHit close = exactHit();
+  close.t = 1e-38;
+  close.tUnit = 1e-43;
+  CastHit answer = rightAnswer();
+  for (const float t : {0.0f, 1e-38f}) {
+    answer.t = t;
+    CHECK(findingOf(close, answer) == Finding::agrees);
+  }
+  answer.t = 1.3e-38f;
+  CHECK(findingOf(close, answer) == Finding::wrongDistance);
+  close.t = 1.3e-38;
+  answer.t = 0.0f;
+  CHECK(findingOf(close, answer) == Finding::wrongDistance);
+}
+
+TEST_CASE("judgeHit takes the normal of either face at an edge", "[cast]") {
+  ExactHit edge = exactHit();
+  edge.facesBeside = {{2.0, 0x1p-23, {1.0, 0.0, 0.0}}};
+  CastHit answer = rightAnswer();
+  CHECK(findingOf(edge, answer) == Finding::agrees);
+  answer.normal = {1.0f, 0.0f, 0.0f};
+  CHECK(findingOf(edge, answer) == Finding::agrees);
+  for (const glm::vec3 normal : {glm::vec3(0.0f, 0.0f, 1.0f), glm::vec3(-1.0f, 0.0f, 0.0f),
+                                 glm::vec3(0.7071f, 0.7071f, 0.0f)}) {
+    answer.normal = normal;
+    CHECK(findingOf(edge, answer) == Finding::wrongNormal);
+  }
 }
 
 TEST_CASE("judgeHit finds normals that are off, opposite or zero", "[cast]") {

@@ -141,6 +141,43 @@ TEST_CASE("tUnit is the change of t as the surface moves by 1 ulp(M)", "[exact]"
   CHECK(glance.tUnit == Approx(4 * 0x1p-23 / 0.6).epsilon(1e-3));
 }
 
+TEST_CASE("another face of a box is beside the hit if moves by 8 ulp reach it", "[exact]") {
+  const CasePrimitive box = primitive(CaseKind::box, {-1, -1, -1, 1, 1, 1});
+  const auto entering = [&](float ulps) {  // M = 2; either face moves by half of that
+    return decide({box}, {{-2 + 2 * ulps * kUlp, -2, 0}, {1, 1, 0}});
+  };
+  CHECK(entering(15).normal == glm::dvec3(0, -1, 0));
+  REQUIRE(entering(15).facesBeside.size() == 1);
+  CHECK(entering(15).facesBeside[0].normal == glm::dvec3(-1, 0, 0));
+  CHECK(entering(15).facesBeside[0].t == 1.0 - 30 * double(kUlp));
+  CHECK(entering(15).facesBeside[0].tUnit == Approx(2 * double(kUlp)));
+  CHECK(entering(17).facesBeside.empty());
+  const auto leaving = [&](float ulps) {  // M = 1
+    return decide({box}, {{ulps * kUlp, 0, 0}, {1, 1, 0}});
+  };
+  CHECK(leaving(15).normal == glm::dvec3(1, 0, 0));
+  REQUIRE(leaving(15).facesBeside.size() == 1);
+  CHECK(leaving(15).facesBeside[0].normal == glm::dvec3(0, 1, 0));
+  CHECK(leaving(17).facesBeside.empty());
+}
+
+TEST_CASE("the back of a thin box is not beside its front", "[exact]") {
+  const CasePrimitive sheet = primitive(CaseKind::box, {-1, 0, -1, 1, 0, 1});
+  CHECK(decide({sheet}, {{0, 2, 0}, {0.1f, -1, 0.1f}}).facesBeside.empty());
+}
+
+TEST_CASE("moves of an oriented box's faces are in scene units", "[exact]") {
+  const CasePrimitive box =
+      primitive(CaseKind::orientedBox, {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 2, 2, 2});
+  const auto leaving = [&](float ulps) {  // M = 1
+    return decide({box}, {{ulps * kUlp, 0, 0}, {1, 1, 0}});
+  };
+  REQUIRE(leaving(15).facesBeside.size() == 1);
+  CHECK(leaving(15).facesBeside[0].normal == glm::dvec3(0, 1, 0));
+  CHECK(leaving(15).facesBeside[0].tUnit == Approx(double(kUlp)));
+  CHECK(leaving(17).facesBeside.empty());
+}
+
 /// Moves every number of the inputs by up to 1 ulp(M): what then happens to a clean ray's answer
 /// has moved by no more than the 8 ulp that its surfaces may.
 TEST_CASE("small changes of all inputs leave clean answers as they are", "[exact]") {
