@@ -89,6 +89,7 @@ class FaultyScene {
 };
 
 struct Tally {
+  std::set<std::string> tried;  ///< what the rows say of their faults; none is planted twice
   int shown = 0;
   int located = 0;
   int absorbed = 0;
@@ -98,6 +99,7 @@ struct Tally {
 void tryFault(const FaultyScene& scene, const FaultPlace& fault, Tally& tally) {
   const std::string about =
       fault.function + fault.word + " (" + fault.file + ", " + scene.name() + ")";
+  if (!tally.tried.insert(about).second) return;
   const std::vector<PixelPosition> changed = scene.changedPixels(fault);
   if (changed.empty()) {
     ++tally.absorbed;
