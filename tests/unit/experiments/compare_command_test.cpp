@@ -105,6 +105,7 @@ TEST_CASE("compare of float and double is different and finds the first sample",
   CHECK(json["verdict"] == "different");
   CHECK(json["differing_pixels"] > 0);
   CHECK(json["max_ulp"] > 0);
+  CHECK(json["classes"].contains("rounding"));
   const auto first = json["first_difference"];
   REQUIRE(first["sample"].is_number());
   CHECK(first["a"] != first["b"]);
@@ -127,7 +128,7 @@ TEST_CASE("compare of float and double is different and finds the first sample",
   std::vector<std::string> names;
   for (const auto& channel : difference.extra) names.push_back(channel.name);
   CHECK_THAT(names, Catch::Matchers::UnorderedEquals(
-                        std::vector<std::string>{"ulp", "z.R", "z.G", "z.B"}));
+                        std::vector<std::string>{"ulp", "diverge.bounce", "z.R", "z.G", "z.B"}));
 }
 
 TEST_CASE("compare of unequal seeds is equivalent within a bound", "[cli]") {
