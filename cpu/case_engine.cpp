@@ -6,6 +6,7 @@
 #include "common/base/parallel_for.h"
 #include "common/cast/case_texels.h"
 #include "cpu/kernel/cases.h"
+#include "cpu/kernel_vectors.h"
 #include "cpu/thread_arena.h"
 
 namespace twintrace {
@@ -17,16 +18,6 @@ static_assert(kBounceNotStarted == layout::kCaseNotStarted);
 constexpr std::size_t kGrain = 512;
 
 template <class R>
-kernel::Vec3<R> toKernel(const glm::vec3& v) {
-  return {R(v.x), R(v.y), R(v.z)};
-}
-
-template <class R>
-float toFloat(R x) {
-  return static_cast<float>(kernel::plainNumber(x));
-}
-
-template <class R>
 kernel::CaseQuery<R> queryOf(const CastRay& ray, const CaseRange& range) {
   return {toKernel<R>(ray.origin), toKernel<R>(ray.direction), R(ray.tmin), R(ray.tmax),
           R(range.reach),          range.firstTexel,           range.count};
@@ -34,9 +25,7 @@ kernel::CaseQuery<R> queryOf(const CastRay& ray, const CaseRange& range) {
 
 template <class R>
 CastHit hitOf(const kernel::CaseAnswer<R>& answer) {
-  return {toFloat(answer.t),
-          answer.primitive,
-          {toFloat(answer.normal.x), toFloat(answer.normal.y), toFloat(answer.normal.z)}};
+  return {toFloat(answer.t), answer.primitive, toFloats(answer.normal)};
 }
 
 template <class R>

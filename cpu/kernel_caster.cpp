@@ -7,6 +7,7 @@
 #include "common/base/flush_denormals.h"
 #include "cpu/kernel/surface.h"
 #include "cpu/kernel/traverse.h"
+#include "cpu/kernel_vectors.h"
 #include "cpu/thread_arena.h"
 
 namespace twintrace {
@@ -27,16 +28,6 @@ bool isCastable(const CastRay& ray) {
 }
 
 template <class R>
-kernel::Vec3<R> toKernel(const glm::vec3& v) {
-  return {R(v.x), R(v.y), R(v.z)};
-}
-
-template <class R>
-float toFloat(R x) {
-  return static_cast<float>(kernel::plainNumber(x));
-}
-
-template <class R>
 CastHit castOne(const kernel::SceneView& scene, const CastRay& ray) {
   if (!isCastable(ray)) return {};
   // An infinite end would make a miss, t = infinity, a hit at the end of the closed interval.
@@ -46,7 +37,7 @@ CastHit castOne(const kernel::SceneView& scene, const CastRay& ray) {
   const kernel::Hit<R> hit = kernel::closestHit(scene, kernelRay);
   if (hit.primitive == kernel::kNoPrimitive) return {};
   const kernel::Vec3<R> normal = kernel::surfaceAt(scene, kernelRay, hit).normal;
-  return {toFloat(hit.t), hit.primitive, {toFloat(normal.x), toFloat(normal.y), toFloat(normal.z)}};
+  return {toFloat(hit.t), hit.primitive, toFloats(normal)};
 }
 
 template <class R>

@@ -9,33 +9,19 @@
 
 #include "common/cast/case_csv.h"
 #include "tests/catch.h"
+#include "tests/unit/cpu/exact/one_ray.h"
 #include "tests/unit/cpu/exact/rational_oracle.h"
 
 namespace twintrace {
 namespace {
 
+using test::casesOf;
+using test::decide;
+using test::primitive;
 using test::Rational;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kLargest = std::numeric_limits<float>::max();
-
-CasePrimitive primitive(CaseKind kind, std::initializer_list<float> values) {
-  CasePrimitive result{kind, {}};
-  std::copy(values.begin(), values.end(), result.values.begin());
-  return normalised(result);
-}
-
-CaseSet casesOf(const std::vector<CasePrimitive>& primitives, const CastRay& ray) {
-  CaseSet cases;
-  cases.primitives = primitives;
-  cases.scenes = {{0, static_cast<std::uint32_t>(primitives.size())}};
-  cases.rays = {{ray, 0}};
-  return cases;
-}
-
-ExactHit decide(const std::vector<CasePrimitive>& primitives, const CastRay& ray) {
-  return arbitrate(casesOf(primitives, ray)).at(0);
-}
 
 std::string replay(const std::vector<CasePrimitive>& primitives, const CastRay& ray) {
   std::ostringstream out;

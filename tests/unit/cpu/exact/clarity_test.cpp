@@ -10,29 +10,15 @@
 #include "common/cast/case_csv.h"
 #include "cpu/exact/arbiter.h"
 #include "tests/catch.h"
+#include "tests/unit/cpu/exact/one_ray.h"
 
 namespace twintrace {
 namespace {
 
+using test::casesOf;
+using test::decide;
+using test::primitive;
 constexpr float kUlp = 0x1p-23f;
-
-CasePrimitive primitive(CaseKind kind, std::initializer_list<float> values) {
-  CasePrimitive result{kind, {}};
-  std::copy(values.begin(), values.end(), result.values.begin());
-  return normalised(result);
-}
-
-CaseSet casesOf(const std::vector<CasePrimitive>& primitives, const CastRay& ray) {
-  CaseSet cases;
-  cases.primitives = primitives;
-  cases.scenes = {{0, static_cast<std::uint32_t>(primitives.size())}};
-  cases.rays = {{ray, 0}};
-  return cases;
-}
-
-ExactHit decide(const std::vector<CasePrimitive>& primitives, const CastRay& ray) {
-  return arbitrate(casesOf(primitives, ray)).at(0);
-}
 
 /// Whether every ray of the line x = side + ulps * 2^-23 is as clear as expected, along +z from z =
 /// 0 through what lies around z = 1 and has no coordinate beyond 1: M = 1.
