@@ -30,7 +30,7 @@ const std::string kResult = "result_";
 std::string wordOf(const TraceSlot& slot) {
   switch (slot.kind) {
     case WordKind::real:
-      return "floatBitsToUint(" + slot.path + ")";
+      return "floatBitsToUint(float(" + slot.path + "))";  // it may be a double
     case WordKind::truth:
       return "(" + slot.path + " ? 1u : 0u)";
     case WordKind::integer:
@@ -43,6 +43,20 @@ std::string wordOf(const TraceSlot& slot) {
 
 bool isWordChar(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// The text with all white space made single blanks.
+std::string withSingleBlanks(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
+    if (!blank) {
+      result += c;
+    } else if (!result.empty() && result.back() != ' ') {
+      result += ' ';
+    }
+  }
+  return result;
 }
 
 /// The words of a statement's beginning, without qualifiers, and what follows them.
@@ -138,9 +152,12 @@ class Instrumenter {
   }
 
   /// Adds a site and returns the text that records its values.
-  std::string record(TraceSite::Kind kind, std::size_t offset,
+  /// @param statement without its semicolon; empty on entry.
+  std::string record(TraceSite::Kind kind, std::size_t offset, std::string_view statement,
                      const std::vector<TraceVariable>& values) {
-    TraceSite site{kind, static_cast<int>(result_.program.functions.size()) - 1, place(offset), {}};
+    TraceSite site{
+        kind, static_cast<int>(result_.program.functions.size()) - 1, place(offset), {}, ""};
+    if (!statement.empty()) site.text = withSingleBlanks(statement) + ";";
     for (const TraceVariable& value : values) {
       for (TraceSlot& slot : traceSlots(structs_, value)) site.slots.push_back(std::move(slot));
     }
@@ -156,7 +173,7 @@ class Instrumenter {
   void addEntry(const GlslFunction& function) {
     const TraceFunction& traced = result_.program.functions.back();
     insert(function.body.begin + 1,
-           record(TraceSite::Kind::enter, function.place, traced.parameters));
+           record(TraceSite::Kind::enter, function.place, "", traced.parameters));
   }
 
   /// Goes through a function's statements: returns are rewritten, and values recorded if asked for.
@@ -179,17 +196,17 @@ class Instrumenter {
   template <class Types>
   void addStatement(const GlslFunction& function, std::size_t begin, std::size_t end, bool values,
                     Types& types) {
+    const std::size_t whole = withoutBlanks(begin, end);
     begin = behindConditions(begin, end);
-    const std::string_view statement = std::string_view(parsed_.text).substr(begin, end - begin);
-    const StatementHead head = headOf(statement);
+    const StatementHead head = headOf(statement(begin, end));
     if (head.words.empty()) return;
     if (head.words[0] == "return") return addReturn(function, begin, end);
     if (!values) return;
     if (head.words.size() == 2 && isTraceable(structs_, std::string(head.words[0]))) {
       types[std::string(head.words[1])] = head.words[0];
-      if (head.follows.starts_with("=")) addLocal(head.words[1], begin, end, types);
+      if (head.follows.starts_with("=")) addLocal(head.words[1], {begin, end}, false, types);
     } else if (head.words.size() == 1 && assigns(head.follows)) {
-      addLocal(head.words[0], begin, end, types);
+      addLocal(head.words[0], {begin, end}, begin != whole, types);
     }
   }
 
@@ -197,7 +214,7 @@ class Instrumenter {
   std::size_t behindConditions(std::size_t begin, std::size_t end) const {
     const std::string& text = parsed_.text;
     while (true) {
-      begin = std::min(text.find_first_not_of(" \t\r\n", begin), end);
+      begin = withoutBlanks(begin, end);
       std::size_t word = begin;
       while (word < end && isWordChar(text[word])) ++word;
       const std::string_view name = std::string_view(text).substr(begin, word - begin);
@@ -211,6 +228,14 @@ class Instrumenter {
     }
   }
 
+  std::size_t withoutBlanks(std::size_t begin, std::size_t end) const {
+    return std::min(parsed_.text.find_first_not_of(" \t\r\n", begin), end);
+  }
+
+  std::string_view statement(std::size_t begin, std::size_t end) const {
+    return std::string_view(parsed_.text).substr(begin, end - begin);
+  }
+
   std::size_t behindBracket(std::size_t at, std::size_t end) const {
     int depth = 0;
     for (; at < end; ++at) {
@@ -222,7 +247,8 @@ class Instrumenter {
 
   void addReturn(const GlslFunction& function, std::size_t begin, std::size_t end) {
     // A name of its own, so that it hides none of the function's variables in the expression.
-    const std::string text = record(TraceSite::Kind::leave, begin, {{function.result, kResult}});
+    const std::string text =
+        record(TraceSite::Kind::leave, begin, statement(begin, end), {{function.result, kResult}});
     for (TraceSlot& slot : result_.program.sites.back().slots) {
       slot.path.erase(kResult.size() - 1, 1);
     }
@@ -239,10 +265,14 @@ class Instrumenter {
   }
 
   template <class Types>
-  void addLocal(std::string_view name, std::size_t begin, std::size_t end, const Types& types) {
+  void addLocal(std::string_view name, TextRange range, bool hangs, const Types& types) {
     const auto known = types.find(name);
     if (known == types.end()) return;
-    insert(end + 1, record(TraceSite::Kind::local, begin, {{known->second, std::string(name)}}));
+    if (hangs) insert(range.begin, "{ ");  // the record must hang on the same condition
+    insert(range.end + 1,
+           record(TraceSite::Kind::local, range.begin, statement(range.begin, range.end),
+                  {{known->second, std::string(name)}}));
+    if (hangs) insert(range.end + 1, " }");
   }
 
   std::string withInsertions() {

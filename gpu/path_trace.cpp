@@ -1,7 +1,5 @@
 #include "gpu/path_trace.h"
 
-#include <algorithm>
-#include <bit>
 #include <optional>
 #include <span>
 
@@ -12,6 +10,7 @@
 #include "gpu/provider.h"
 #include "gpu/scene_uniforms.h"
 #include "gpu/specialisation.h"
+#include "gpu/trace_records.h"
 
 namespace twintrace {
 namespace {
@@ -22,26 +21,22 @@ constexpr const char* kMain = R"glsl(
 
 #include "integrator.glsl"
 
+#include "trace_records.glsl"
+
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) buffer TraceWords {
-  uint traceCount;
+layout(std430, binding = 0) buffer TraceRadiance {
   uint traceRadiance[3];
-  uint traceWords[];
 };
-uniform uint firstEvent;
-uniform int recordWords;
 
 void main() {
-  traceWanted = firstEvent + gl_GlobalInvocationID.x;
+  traceChoose();
   Frame frame = Frame(filmWidth, bounceLimit, passCount, firstSampleIndex, seedValue);
   precise PathState state = beginSample(tileX, tileY, frame.firstSample, frame);
   while (state.alive) {
     state = stepSample(state, frame);
   }
-  int to = int(gl_GlobalInvocationID.x) * recordWords;
-  TRACE_STORE(to)
+  traceKeep();
   if (gl_GlobalInvocationID.x == 0u) {
-    traceCount = traceEvent;
     traceRadiance[0] = floatBitsToUint(state.radiance.x);
     traceRadiance[1] = floatBitsToUint(state.radiance.y);
     traceRadiance[2] = floatBitsToUint(state.radiance.z);
@@ -49,17 +44,13 @@ void main() {
 }
 )glsl";
 
-constexpr std::size_t kHeaderWords = 4;  // count and radiance
-constexpr std::uint32_t kGroupSize = 64;
-constexpr std::uint32_t kBatch = 2048;        // events of one dispatch
-constexpr std::uint32_t kMostEvents = 60000;  // the work grows with the square of their number
-
 InstrumentedShader tracedShader(Context& context, const FlatScene& scene,
                                 const RenderOptions& options, const InstrumentSettings& settings) {
   const ShaderLibrary library = shaderLibrary(options);
   ShaderRequest request = specialise(scene, options, passportOf(context, library).corrections);
   request.main = kMainPath;
   request.virtualFiles[kMainPath] = kMain;
+  request.virtualFiles[kTraceRecordsPath] = traceRecordsText();
   return instrumentShader(assembleShader(library, request), settings);
 }
 
@@ -89,10 +80,8 @@ class GpuPathTracer::Device {
     program_->set("bounceLimit", options_.bounces);
     program_->set("seedValue", options_.seed);
     program_->set("passCount", 1);
-    recordWords_ = static_cast<std::size_t>(shader_.width) + 1;
-    program_->set("recordWords", static_cast<std::int32_t>(recordWords_));
-    words_.resize(kHeaderWords + kBatch * recordWords_);
-    storage_.emplace(*context_, words_.size() * sizeof(std::uint32_t));
+    radiance_.emplace(*context_, 3 * sizeof(std::uint32_t));
+    records_.emplace(*context_, *program_, shader_);
   }
 
   CallTrace trace(const PixelPosition& pixel, std::uint32_t sample) {
@@ -100,37 +89,16 @@ class GpuPathTracer::Device {
     program_->set("tileX", pixel.x);
     program_->set("tileY", pixel.y);
     program_->set("firstSampleIndex", sample);
-    CallTrace trace;
-    std::uint32_t count = kBatch;
-    for (std::uint32_t first = 0; first < std::min(count, kMostEvents); first += kBatch) {
-      run(first, std::min(count - first, kBatch));
-      count = words_[0];
-      append(trace, std::min(count - first, kBatch));
-    }
-    trace.lost = count - std::min(count, kMostEvents);
-    for (std::size_t i = 0; i < 3; ++i) trace.radiance[i] = std::bit_cast<float>(words_[1 + i]);
+    texels_->bind(0);
+    radiance_->bind(0);
+    CallTrace trace = records_->collect();
+    radiance_->read(std::as_writable_bytes(std::span(trace.radiance)));
     return trace;
   }
 
   const TraceProgram& program() const { return shader_.program; }
 
  private:
-  void run(std::uint32_t firstEvent, std::uint32_t count) {
-    program_->set("firstEvent", firstEvent);
-    texels_->bind(0);
-    storage_->bind(0);
-    program_->dispatch({(count + kGroupSize - 1) / kGroupSize, 1, 1});
-    storage_->read(std::as_writable_bytes(std::span(words_)));
-  }
-
-  void append(CallTrace& trace, std::uint32_t count) const {
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t* record = &words_[kHeaderWords + i * recordWords_];
-      const TraceSite& site = shader_.program.sites.at(record[0]);
-      trace.words.insert(trace.words.end(), record, record + 1 + site.slots.size());
-    }
-  }
-
   std::shared_ptr<const FlatScene> scene_;
   RenderOptions options_;
   InstrumentedShader shader_;
@@ -138,9 +106,8 @@ class GpuPathTracer::Device {
   ProgramCache programs_;
   std::shared_ptr<Program> program_;
   std::optional<BufferTexture> texels_;
-  std::optional<StorageBuffer> storage_;
-  std::vector<std::uint32_t> words_;
-  std::size_t recordWords_ = 0;
+  std::optional<StorageBuffer> radiance_;
+  std::optional<TraceRecords> records_;
 };
 
 GpuPathTracer::GpuPathTracer(std::shared_ptr<const FlatScene> scene, const RenderOptions& options,

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "common/scene/flat_scene.h"
+#include "common/trace/call_trace.h"
+#include "gpu/glsl_instrumenter.h"
 #include "gpu/shader_source.h"
 
 namespace twintrace {
@@ -36,5 +38,19 @@ std::vector<std::uint32_t> runProbe(Context& context, const ShaderLibrary& libra
                                     const Probe& probe, const FlatScene& scene,
                                     const RenderOptions& options,
                                     std::span<const std::uint32_t> inputs);
+
+/// What a probe did with one record.
+struct ProbeTrace {
+  TraceProgram program;
+  CallTrace trace;
+  std::vector<std::uint32_t> outputs;  ///< of the instrumented program
+};
+
+/// Runs the function once, with its calls and those inside recorded.
+/// @param inputs one record.
+/// @throws as runProbe; FileError for shaders that can't be parsed.
+ProbeTrace traceProbe(Context& context, const ShaderLibrary& library, const Probe& probe,
+                      const FlatScene& scene, const RenderOptions& options,
+                      std::span<const std::uint32_t> inputs, const InstrumentSettings& settings);
 
 }  // namespace twintrace

@@ -7,7 +7,7 @@ namespace twintrace {
 namespace {
 
 std::optional<WordKind> scalarKind(std::string_view type) {
-  if (type == "float") return WordKind::real;
+  if (type == "float" || type == "double") return WordKind::real;
   if (type == "int") return WordKind::integer;
   if (type == "uint") return WordKind::natural;
   if (type == "bool") return WordKind::truth;
@@ -33,6 +33,8 @@ Vector vectorOf(std::string_view type) {
       return {WordKind::natural, length};
     case 'b':
       return {WordKind::truth, length};
+    case 'd':
+      return {WordKind::real, length};
     default:
       return {};
   }
@@ -65,6 +67,14 @@ std::vector<TraceSlot> traceSlots(const TraceStructs& structs, const TraceVariab
   std::vector<TraceSlot> slots;
   addSlots(structs, variable, slots);
   return slots;
+}
+
+std::string signatureOf(const TraceFunction& function) {
+  std::string types;
+  for (const TraceVariable& p : function.parameters) {
+    types += (types.empty() ? "" : ", ") + p.type;
+  }
+  return function.name + "(" + types + ")";
 }
 
 }  // namespace twintrace

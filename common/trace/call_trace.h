@@ -26,7 +26,8 @@ struct TraceVariable {
 /// The structures of a program, by name; types that are not in it are GLSL's own.
 using TraceStructs = std::map<std::string, std::vector<TraceVariable>>;
 
-/// Whether values of the type can be traced: float, int, uint, bool, vectors and structures of such.
+/// Whether values of the type can be traced: float, int, uint, bool, double (rounded to float),
+/// vectors and structures of such.
 bool isTraceable(const TraceStructs& structs, const std::string& type);
 
 /// The words of a variable of a traceable type, in the order of its members.
@@ -47,7 +48,11 @@ struct TraceSite {
   int function = 0;  ///< index into TraceProgram::functions
   std::string place;  ///< `file:line`
   std::vector<TraceSlot> slots;
+  std::string text;  ///< of the statement, white space made single; empty for enter
 };
+
+/// As in `dot3(vec3, vec3)`.
+std::string signatureOf(const TraceFunction& function);
 
 /// What the numbers in a trace mean. Built once per program.
 struct TraceProgram {

@@ -27,6 +27,7 @@ struct TraceRecorder {
 
 inline std::uint32_t traceWord(float x) { return std::bit_cast<std::uint32_t>(x); }
 inline std::uint32_t traceWord(double x) { return traceWord(static_cast<float>(x)); }
+inline std::uint32_t traceWord(long double x) { return traceWord(static_cast<float>(x)); }
 inline std::uint32_t traceWord(std::int32_t x) { return static_cast<std::uint32_t>(x); }
 inline std::uint32_t traceWord(std::uint32_t x) { return x; }
 inline std::uint32_t traceWord(bool x) { return x ? 1u : 0u; }

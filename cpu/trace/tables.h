@@ -18,6 +18,7 @@ struct TraceSiteRow {
   int function;
   const char* place;
   const char* slots;  ///< `kind path;kind path`, the kind by its first letter
+  const char* text;   ///< of the statement; empty for enter
 };
 
 }  // namespace twintrace

@@ -68,7 +68,7 @@ TraceProgram tracedKernelProgram() {
     program.functions.push_back(std::move(function));
   }
   for (const TraceSiteRow& row : kTraceSites) {
-    TraceSite site{row.kind, row.function, row.place, {}};
+    TraceSite site{row.kind, row.function, row.place, {}, row.text};
     eachPair(row.slots, [&](const std::string& kind, const std::string& path) {
       site.slots.push_back({path, kindOf(kind.front())});
     });

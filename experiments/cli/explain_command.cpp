@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "common/base/error.h"
-#include "common/base/float_bits.h"
 #include "common/base/wording.h"
 #include "common/scene/option_names.h"
 #include "common/scene/reader.h"
@@ -15,6 +14,8 @@
 #include "experiments/cli/shared_options.h"
 #include "experiments/compare_arms.h"
 #include "experiments/explain/explain_text.h"
+#include "experiments/explain/plain_sample.h"
+#include "experiments/probe/replay_command.h"
 
 namespace twintrace {
 namespace {
@@ -62,18 +63,27 @@ class ExplainCommand {
     const ArmOptions options{armOptions(scene.render, "cpu", listA_),
                              armOptions(scene.render, "gpu", listB_)};
     checkArms(options);
-    ExplainedSample about{parsePixel(pixel_, options.a), sample_.value_or(0), {}};
+    ExplainedSample about{parsePixel(pixel_, options.a), sample_.value_or(0), {}, ""};
     checkSample(options.a);
     checkAnswer(answer_);
     Arm armA = openArm(scene, options.a);
     Arm armB = openArm(scene, options.b);
     const auto a = makePathTracer(armA.scene, options.a, TraceDetail::statements);
     const auto b = makePathTracer(armB.scene, options.b, TraceDetail::statements);
-    const auto result = findSample(*a, *b, options.a, about);
-    addNotes(options, *result, armA, armB, about);
+    auto result = findSample(*a, *b, options.a, about);
+    const bool native =
+        options.a.maths == Maths::native || options.b.maths == Maths::native;
+    if (native && !sample_ && result->sameRadiance && findPlainSample(armA, armB, about)) {
+      result = explain(*a, *b, about);
+    }
+    const PlainSample plain = renderPlainSample(armA, armB, about.pixel, about.sample);
+    addNotes("a", options.a, result->traceA, about);
+    addNotes("b", options.b, result->traceB, about);
+    for (std::string& note : traceNotes(plain, *result, native)) about.notes.push_back(note);
+    about.replay = probe::replayCommand(scene, options.a, options.b, *result);
     answer(console_, answer_, explanationJson(*armA.scene, about, *result),
            explanationText(*armA.scene, about, *result));
-    return result->sameRadiance ? kAgree : kDiffer;
+    return result->sameRadiance && !plain.differs() ? kAgree : kDiffer;
   }
 
  private:
@@ -101,8 +111,7 @@ class ExplainCommand {
     const std::int64_t last = sample_ ? first : first + std::max(options.spp, 1) - 1;
     std::unique_ptr<SampleExplanation> result;
     for (about.sample = first;; ++about.sample) {
-      result = std::make_unique<SampleExplanation>();
-      explainSample(a, b, about.pixel, static_cast<std::uint32_t>(about.sample), *result);
+      result = explain(a, b, about);
       if (!result->sameRadiance || about.sample == last) break;
     }
     if (!sample_ && result->sameRadiance) {
@@ -112,33 +121,36 @@ class ExplainCommand {
     return result;
   }
 
-  static void addNotes(const ArmOptions& options, const SampleExplanation& result, Arm& a, Arm& b,
-                       ExplainedSample& about) {
-    addArmNotes("a", options.a, result.traceA, a, about);
-    addArmNotes("b", options.b, result.traceB, b, about);
+  static std::unique_ptr<SampleExplanation> explain(PathTracer& a, PathTracer& b,
+                                                    const ExplainedSample& about) {
+    auto result = std::make_unique<SampleExplanation>();
+    explainSample(a, b, about.pixel, static_cast<std::uint32_t>(about.sample), *result);
+    return result;
   }
 
-  /// Says what is different about the replay, and whether it shows what the arm renders.
-  static void addArmNotes(const char* name, const RenderOptions& options, const CallTrace& trace,
-                          Arm& arm, ExplainedSample& about) {
+  /// Turns to the first sample in which the arms differ as they render. No traced one does, but in
+  /// native maths that is not the same.
+  static bool findPlainSample(Arm& a, Arm& b, ExplainedSample& about) {
+    const RenderOptions& options = a.options;
+    for (std::int64_t i = 0; i < std::max(options.spp, 1); ++i) {
+      const std::int64_t sample = options.firstSample + i;
+      if (!renderPlainSample(a, b, about.pixel, sample).differs()) continue;
+      about.sample = sample;
+      about.notes.clear();
+      return true;
+    }
+    return false;
+  }
+
+  /// Says how the replay differs from the arm as it renders, and what it could not hold.
+  static void addNotes(const char* name, const RenderOptions& options, const CallTrace& trace,
+                       ExplainedSample& about) {
     const std::string replay = replayNote(options);
     if (!replay.empty()) about.notes.push_back(fmt::format("{}: {}", name, replay));
     if (trace.lost > 0) {
       about.notes.push_back(
           fmt::format("{}: {} events found no room in the trace; what they were is not known", name,
                       trace.lost));
-    }
-    std::vector<float> sums(static_cast<std::size_t>(options.width) *
-                            static_cast<std::size_t>(options.height) * 3);
-    arm.renderer->renderFrame(static_cast<std::uint32_t>(about.sample), 1, sums);
-    const auto plain = valueAt(sums, pixelIndex(about.pixel, options.width));
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (sameBits(plain[i], trace.radiance[i])) continue;
-      about.notes.push_back(fmt::format(
-          "{}: the traced program does not show what the plain one renders: {:a} {:a} {:a}{}", name,
-          plain[0], plain[1], plain[2],
-          options.maths == Maths::native ? ", as native maths may" : ""));
-      return;
     }
   }
 

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "common/base/error.h"
 #include "common/scene/option_names.h"
+#include "common/scene/reader.h"
+#include "experiments/arm.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
 #include "experiments/cli/interrupt.h"
 #include "experiments/cli/progress_display.h"
 #include "experiments/cli/shared_options.h"
+#include "experiments/probe/replay_command.h"
 #include "experiments/probe/report.h"
+#include "experiments/probe/statement_report.h"
 #include "experiments/probe/user_trial.h"
 #include "gpu/provider.h"
 #include "gpu/specialisation.h"
@@ -25,15 +30,20 @@ using probe::ShaderFunction;
 /// The options of rendering that decide how a function is run alone.
 constexpr std::array kOptionsTaken = {"maths", "gl", "seed", "threads"};
 
+void addProbeOption(CLI::App& command, GivenOptions& given, const char* name,
+                    const std::string& help) {
+  const auto store = [&given, name](const std::string& value) {
+    given.list.emplace_back(name, value);
+  };
+  command.add_option_function<std::string>("--" + std::string(name), store, help)->take_last();
+}
+
 void addProbeOptions(CLI::App& command, GivenOptions& given) {
   for (const char* name : kOptionsTaken) {
-    const auto store = [&given, name](const std::string& value) {
-      given.list.emplace_back(name, value);
-    };
-    command
-        .add_option_function<std::string>("--" + std::string(name), store,
-                                          findOption(name)->expected)
-        ->take_last();
+    addProbeOption(command, given, name, findOption(name)->expected);
+  }
+  for (const char* name : probe::kSceneOptions) {
+    addProbeOption(command, given, name, "with --scene: " + findOption(name)->expected);
   }
   addShaderOptions(command, given);
 }
@@ -61,6 +71,11 @@ class ProbeCommand {
     app->add_option("--inputs", inputs_,
                     "replay one record: the function's inputs in order, as numbers or bits")
         ->type_name("HEX,...");
+    app->add_flag("--statements", statements_,
+                  "with --inputs: name the first statement whose value differs from the twin's");
+    app->add_option("--scene", scene_,
+                    "with --inputs: the scene that the function reads; a small one unless said")
+        ->type_name("SCENE");
     app->add_option("--shader", shader_, "run the functions of this file instead")
         ->type_name("FILE.glsl");
     app->add_option("--reference", user_.reference,
@@ -76,16 +91,32 @@ class ProbeCommand {
 
   int run() const {
     const RenderOptions options = layOptions(RenderOptions{}, given_);
+    checkTogether();
     if (!shader_.empty()) return runUserShader(options);
-    if (!user_.reference.empty()) throw UsageError("found --reference without --shader");
     const auto functions = probe::chooseFunctions(names_);
     checkAnswer(answer_);
-    return inputs_.empty() ? runTrials(functions, options) : runReplay(onlyOne(functions), options);
+    return inputs_ ? runReplay(onlyOne(functions), options) : runTrials(functions, options);
   }
 
  private:
+  /// Options that mean nothing without others.
+  void checkTogether() const {
+    if (shader_.empty() && !user_.reference.empty()) {
+      throw UsageError("found --reference without --shader");
+    }
+    if (!shader_.empty() && inputs_) {
+      throw UsageError("found --inputs with --shader, expected one of them");
+    }
+    if (statements_ && !inputs_) throw UsageError("found --statements without --inputs");
+    if (!scene_.empty() && !inputs_) throw UsageError("found --scene without --inputs");
+    for (const char* name : probe::kSceneOptions) {
+      if (scene_.empty() && given_.has(name)) {
+        throw UsageError(fmt::format("found --{} without --scene", name));
+      }
+    }
+  }
+
   int runUserShader(const RenderOptions& options) const {
-    if (!inputs_.empty()) throw UsageError("found --inputs with --shader, expected one of them");
     const probe::UserShader shader = probe::readUserShader(shader_, names_);
     checkAnswer(answer_);
     probe::UserTrialSettings settings = user_;
@@ -141,15 +172,40 @@ class ProbeCommand {
   }
 
   int runReplay(const ShaderFunction& function, const RenderOptions& options) const {
-    const auto words = probe::parseInputs(function, inputs_);
+    const auto words = probe::parseInputs(function, *inputs_);
+    if (statements_ && function.twin == nullptr) {
+      throw UsageError(fmt::format("found --statements with {}, expected a function with a twin",
+                                   function.signature));
+    }
+    const probe::World world = replayWorld(options);
     const auto context = createContext(options.provider, options.threads);
     const ShaderLibrary library = shaderLibrary(options);
-    const probe::Record record = replay(*context, library, function, options.maths, words);
+    const probe::Record record = replay(*context, library, function, world, words);
     Json json = recordJson(function, record);
     json["signature"] = function.signature;
-    answer(console_, answer_, json, recordText(function, record));
+    std::string text = recordText(function, record);
+    if (statements_) {
+      probe::StatementReplay statements;
+      replayStatements(*context, library, function, world, words, statements);
+      json["statements"] = statementsJson(function, record, statements);
+      text += statementsText(function, record, statements);
+    }
+    answer(console_, answer_, json, text);
     const bool agrees = record.twin.empty() || !probe::differ(function, record.gpu, record.twin);
-    return agrees || options.maths == Maths::native ? kAgree : kDiffer;
+    return agrees || world.options.maths == Maths::native ? kAgree : kDiffer;
+  }
+
+  /// The scene that was named, or the plain world, which most functions don't read.
+  probe::World replayWorld(const RenderOptions& options) const {
+    if (scene_.empty()) {
+      probe::World world = probe::plainWorld();
+      world.options.maths = options.maths;
+      return world;
+    }
+    const Scene scene = readScene(scene_);
+    const RenderOptions own = layOptions(scene.render, given_);
+    checkOptions(own);
+    return probe::sceneWorld(*flattenScene(scene, own), own);
   }
 
   Json toJson(const Context& context, const RenderOptions& options,
@@ -181,7 +237,9 @@ class ProbeCommand {
   Console console_;
   std::vector<std::string> names_;
   std::size_t samples_ = 100000;
-  std::string inputs_;
+  std::optional<std::string> inputs_;
+  bool statements_ = false;
+  std::string scene_;
   std::string shader_;
   probe::UserTrialSettings user_;
   GivenOptions given_;

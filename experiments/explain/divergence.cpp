@@ -54,8 +54,14 @@ class Search {
       found->second.pop_front();
       if (sameValues(callA(child).output, callB(partner).output)) continue;
       const auto inner = below(child, partner);
+      // An output is missing where a trace had no room.
+      const bool isComplete = callA(child).output.site && callB(partner).output.site;
+      if (!inner && !isComplete) continue;
       Divergence result =
-          inner ? *inner : Divergence{child, partner, -1, statement(child, partner)};
+          inner ? *inner
+                : Divergence{child, partner, -1,
+                             firstDifferingStatement(*a_.program, callA(child), *b_.program,
+                                                     callB(partner))};
       if (a == 0) result.step = step;
       return result;
     }
@@ -77,27 +83,6 @@ class Search {
       }
     }
     return shared;
-  }
-
-  StatementDifference statement(int a, int b) const {
-    std::map<std::string_view, std::deque<const TracedValues*>> byName;
-    for (const TracedValues& local : callB(b).locals) byName[nameOf(local)].push_back(&local);
-    for (const TracedValues& local : callA(a).locals) {
-      auto& partners = byName[nameOf(local)];
-      if (partners.empty()) continue;
-      const TracedValues partner = *partners.front();
-      partners.pop_front();
-      if (local.words.size() == partner.words.size() && !sameValues(local, partner)) {
-        return {local, partner};
-      }
-    }
-    return {callA(a).output, callB(b).output};
-  }
-
-  /// The variable that a local's slots belong to.
-  static std::string_view nameOf(const TracedValues& local) {
-    const std::string_view path = local.site->slots.front().path;
-    return path.substr(0, path.find('.'));
   }
 
   const CallTree& a_;

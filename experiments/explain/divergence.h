@@ -1,25 +1,18 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "experiments/explain/call_tree.h"
+#include "experiments/explain/statements.h"
 
 namespace twintrace {
-
-/// A statement's value on both sides.
-struct StatementDifference {
-  TracedValues a;
-  TracedValues b;
-};
 
 /// The first call whose inputs agree and whose output differs, with no call inside that explains it.
 struct Divergence {
   int a = 0;  ///< indices into the two trees
   int b = 0;
   int step = -1;  ///< vertex of the path at which it lies; -1 = the camera ray
-  /// The first variable of that name on both sides whose value differs, else the results.
-  StatementDifference statement;
+  StatementDifference statement;  ///< the first one inside that differs
 };
 
 /// Compares two trees call by call. Calls match if function and inputs are the same, whatever their

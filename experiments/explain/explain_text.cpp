@@ -2,30 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <bit>
-
-#include "common/base/float_bits.h"
+#include "experiments/explain/statement_text.h"
 
 namespace twintrace {
 namespace {
 
-std::string wordText(WordKind kind, std::uint32_t word) {
-  switch (kind) {
-    case WordKind::real:
-      return fmt::format("{:a} ({:.9g})", std::bit_cast<float>(word), std::bit_cast<float>(word));
-    case WordKind::integer:
-      return std::to_string(static_cast<std::int32_t>(word));
-    case WordKind::truth:
-      return word != 0 ? "true" : "false";
-    case WordKind::natural:
-      break;
-  }
-  return fmt::format("0x{:08x}", word);
-}
-
-std::uint32_t ulpOf(const WordDifference& word) {
-  return ulpDistance(std::bit_cast<float>(word.a), std::bit_cast<float>(word.b));
-}
+const SideNames kSides = {"a", "b"};
 
 std::string objectOf(const FlatScene& scene, int primitive) {
   const auto index = static_cast<std::size_t>(primitive);
@@ -98,7 +80,7 @@ const TraceFunction& functionOf(const CallTree& tree, int call) {
   return tree.program->functions[static_cast<std::size_t>(function)];
 }
 
-std::string divergenceText(const SampleExplanation& e) {
+std::string divergenceText(const ExplainedSample& about, const SampleExplanation& e) {
   if (!e.divergence) return "no call has equal inputs and another output: unexplained\n";
   const Divergence& d = *e.divergence;
   std::string text = fmt::format(
@@ -111,27 +93,12 @@ std::string divergenceText(const SampleExplanation& e) {
     const TraceSlot& slot = inputs.site->slots[i];
     text += fmt::format("    {:<24} {}\n", slot.path, wordText(slot.kind, inputs.words[i]));
   }
-  text += fmt::format("  first differing statement\n    a {}\n    b {}\n",
-                      d.statement.a.site->place, d.statement.b.site->place);
-  for (const WordDifference& word : e.wordDifferences()) {
-    text += fmt::format("    {:<24} a {}\n    {:<24} b {}", word.path, wordText(word.kind, word.a),
-                        "", wordText(word.kind, word.b));
-    text += word.kind == WordKind::real ? fmt::format("  {} ulp\n", ulpOf(word)) : "\n";
-  }
+  text += statementText(d.statement, kSides);
+  if (!about.replay.empty()) text += "  to replay it alone\n    " + about.replay + "\n";
   return text;
 }
 
-Json wordJson(WordKind kind, std::uint32_t word) {
-  if (kind == WordKind::real) {
-    const auto value = std::bit_cast<float>(word);
-    return {{"value", value},
-            {"hex", fmt::format("{:a}", value)},
-            {"bits", fmt::format("0x{:08x}", word)}};
-  }
-  return {{"value", wordText(kind, word)}, {"bits", fmt::format("0x{:08x}", word)}};
-}
-
-Json divergenceJson(const SampleExplanation& e) {
+Json divergenceJson(const ExplainedSample& about, const SampleExplanation& e) {
   if (!e.divergence) return nullptr;
   const Divergence& d = *e.divergence;
   Json inputs = Json::object();
@@ -139,21 +106,14 @@ Json divergenceJson(const SampleExplanation& e) {
   for (std::size_t i = 0; i < given.words.size(); ++i) {
     inputs[given.site->slots[i].path] = wordJson(given.site->slots[i].kind, given.words[i]);
   }
-  Json differing = Json::array();
-  for (const WordDifference& word : e.wordDifferences()) {
-    differing.push_back({{"variable", word.path},
-                         {"a", wordJson(word.kind, word.a)},
-                         {"b", wordJson(word.kind, word.b)},
-                         {"ulp", word.kind == WordKind::real ? Json(ulpOf(word)) : Json(nullptr)}});
-  }
   return {{"function", e.treeA.name(d.a)},
           {"vertex", d.step},
           {"place_a", functionOf(e.treeA, d.a).place},
           {"place_b", functionOf(e.treeB, d.b).place},
-          {"statement_a", d.statement.a.site->place},
-          {"statement_b", d.statement.b.site->place},
+          {"statement", statementJson(d.statement, kSides)},
           {"inputs", inputs},
-          {"differing", differing}};
+          {"differing", differingJson(d.statement, kSides)},
+          {"replay", about.replay}};
 }
 
 Json verticesJson(const FlatScene& scene, const std::vector<PathVertex>& vertices) {
@@ -188,13 +148,13 @@ std::string explanationText(const FlatScene& scene, const ExplainedSample& about
   text += fmt::format("radiance a {}\nradiance b {}\n", vectorText(e.traceA.radiance),
                       vectorText(e.traceB.radiance));
   if (!e.sameRadiance) {
-    text += divergenceText(e) + fmt::format("class: {}\n", className(e.kind));
+    text += divergenceText(about, e) + fmt::format("class: {}\n", className(e.kind));
     for (const std::string& event : consequences(e)) text += "then " + event + "\n";
     return text;
   }
   text += "identical: the sample is the same on both arms\n";
   if (e.divergence) {
-    text += "calls differ, but left no trace in the radiance\n" + divergenceText(e);
+    text += "calls differ, but left no trace in the radiance\n" + divergenceText(about, e);
   }
   return text;
 }
@@ -208,7 +168,7 @@ Json explanationJson(const FlatScene& scene, const ExplainedSample& about,
           {"radiance_a", e.traceA.radiance},
           {"radiance_b", e.traceB.radiance},
           {"class", e.sameRadiance ? Json(nullptr) : Json(className(e.kind))},
-          {"first", divergenceJson(e)},
+          {"first", divergenceJson(about, e)},
           {"parted_at_vertex", e.parted},
           {"consequences", consequences(e)},
           {"vertices_a", verticesJson(scene, e.verticesA)},

@@ -14,6 +14,8 @@ struct ExplainedSample {
   PixelPosition pixel;
   std::int64_t sample = 0;
   std::vector<std::string> notes;  ///< what a reader has to know
+  /// The command that runs the first differing call alone; empty if there is none.
+  std::string replay;
 };
 
 /// For people: the path on both arms, the first differing operation, and what followed.

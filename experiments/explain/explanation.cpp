@@ -150,16 +150,8 @@ std::string_view className(DifferenceClass kind) {
 }
 
 std::vector<WordDifference> SampleExplanation::wordDifferences() const {
-  std::vector<WordDifference> words;
-  if (!divergence) return words;
-  const TracedValues& a = divergence->statement.a;
-  const TracedValues& b = divergence->statement.b;
-  for (std::size_t i = 0; i < std::min(a.words.size(), b.words.size()); ++i) {
-    const TraceSlot& slot = a.site->slots[i];
-    if (sameWord(slot.kind, a.words[i], b.words[i])) continue;
-    words.push_back({slot.path, slot.kind, a.words[i], b.words[i]});
-  }
-  return words;
+  if (!divergence) return {};
+  return twintrace::wordDifferences(divergence->statement);
 }
 
 void explainSample(PathTracer& a, PathTracer& b, const PixelPosition& pixel, std::uint32_t sample,

@@ -28,14 +28,6 @@ inline constexpr int kDifferenceClassCount = 7;
 /// As in the JSON: rounding, branch_flip, other_primitive, lobe_flip, nan, light_leak, unexplained.
 std::string_view className(DifferenceClass kind);
 
-/// A float word of the differing statement.
-struct WordDifference {
-  std::string path;
-  WordKind kind = WordKind::real;
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-};
-
 /// A sample, traced on both arms and compared. The trees are views: it can't be copied.
 struct SampleExplanation {
   SampleExplanation() = default;

@@ -225,9 +225,7 @@ FunctionTrial tryFunction(Context& context, const ShaderLibrary& library,
 }
 
 Record replay(Context& context, const ShaderLibrary& library, const ShaderFunction& function,
-              Maths maths, const std::vector<std::uint32_t>& inputs) {
-  World world = plainWorld();
-  world.options.maths = maths;
+              const World& world, const std::vector<std::uint32_t>& inputs) {
   FunctionTrial unused;
   const WorldTrial trial(context, library, function, world, unused);
   return trial.recordOf(trial.answersTo(inputs), 0);

@@ -62,9 +62,9 @@ std::vector<const ShaderFunction*> chooseFunctions(const std::vector<std::string
 FunctionTrial tryFunction(Context& context, const ShaderLibrary& library,
                           const ShaderFunction& function, const TrialSettings& settings);
 
-/// All answers to one record of packed words, in the plain world.
+/// All answers to one record of packed words in a world, with its options' maths.
 Record replay(Context& context, const ShaderLibrary& library, const ShaderFunction& function,
-              Maths maths, const std::vector<std::uint32_t>& inputs);
+              const World& world, const std::vector<std::uint32_t>& inputs);
 
 /// Distance of two words of that kind in ulp, denormals taken as zero; 2^32 - 1 where integers or
 /// truth values differ, or one is NaN.

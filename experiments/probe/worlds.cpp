@@ -158,6 +158,16 @@ World plainWorld() {
   return makeWorld("plain", plainOptions());
 }
 
+World sceneWorld(const FlatScene& scene, const RenderOptions& options) {
+  World world;
+  world.name = "scene";
+  world.options = options;
+  world.options.geometry = Geometry::buffer;
+  world.scene = scene;
+  world.view = kernel::viewScene(world.scene, world.options, nullptr);
+  return world;
+}
+
 std::vector<World> worldsFor(const ShaderFunction& function) {
   std::vector<World> worlds;
   const RenderOptions plain = plainOptions();

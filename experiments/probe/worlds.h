@@ -28,6 +28,9 @@ struct World {
 /// The worlds whose differences the function can show, the plain one first.
 std::vector<World> worldsFor(const ShaderFunction& function);
 
+/// A user's scene under the options with which it was flattened; geometry in the texel array.
+World sceneWorld(const FlatScene& scene, const RenderOptions& options);
+
 /// The plain world: robust intersections, pcg noise, path integrator, geometry in the texel array.
 World plainWorld();
 

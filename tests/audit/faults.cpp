@@ -1,5 +1,6 @@
 #include "tests/audit/faults.h"
 
+#include <algorithm>
 #include <map>
 
 #include "gpu/glsl_text.h"
@@ -39,11 +40,14 @@ FunctionFaults faultsOf(const GlslText& parsed, const std::string& text, const G
   const std::size_t end = parsed.text.find(';', at);
   const std::string value = text.substr(at + 7, end - at - 7);
   for (const std::string& word : floatWords(structs, f.result, "")) {
-    std::string changed = text;
-    changed.replace(at, end + 1 - at,
-                    "precise " + f.result + " faulty = " + value + ";\n  " +
-                        moved("faulty" + word) + "\n  return faulty;");
-    faults.push_back({f.name, parsed.path, word, {parsed.path, "faulty/" + parsed.path, changed}});
+    const std::string file = "faulty/" + parsed.path;
+    const std::string before =
+        text.substr(0, at) + "precise " + f.result + " faulty = " + value + ";\n  ";
+    const std::string changed =
+        before + moved("faulty" + word) + "\n  return faulty;" + text.substr(end + 1);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    faults.push_back({f.name, parsed.path, word, {parsed.path, file, changed},
+                      file + ":" + std::to_string(line)});
   }
   return faults;
 }

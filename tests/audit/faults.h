@@ -15,6 +15,7 @@ struct FaultPlace {
   std::string file;
   std::string word;          ///< of the result, as in ".normal.x"; empty for a float
   ShaderReplacement shader;  ///< with the fault
+  std::string place;         ///< `file:line` of the statement that is at fault
 };
 
 /// The faults of a function: one for each float in its result.

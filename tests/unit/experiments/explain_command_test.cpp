@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include "gpu/shader_source.h"
 #include "tests/catch.h"
 #include "tests/unit/experiments/program_run.h"
@@ -25,6 +27,29 @@ std::string faultyDot(const TemporaryDirectory& directory) {
   writeBytes(directory.file("math.glsl"), text);
   return "shaders/math.glsl=" + directory.file("math.glsl");
 }
+
+/// As little as a program can be made of.
+constexpr const char* kBall = R"toml(
+name = "ball"
+[camera]
+eye = [0, 0, 3]
+target = [0, 0, 0]
+fov = 40.0
+[render]
+integrator = "local"
+[materials.m]
+albedo = [0.5, 0.6, 0.7]
+[[objects]]
+name = "ball"
+shape = "sphere"
+center = [0, 0, 0]
+radius = 1.0
+material = "m"
+[[lights]]
+kind = "point"
+position = [2.0, 3.0, 3.0]
+intensity = [9.0, 8.0, 7.0]
+)toml";
 
 }  // namespace
 
@@ -107,6 +132,54 @@ TEST_CASE("explain exits with 1 and names the function of an overridden shader",
   REQUIRE(first["differing"].size() == 1);
   CHECK(first["differing"][0]["ulp"] == 1);
   CHECK_THAT(first["differing"][0]["a"]["hex"].get<std::string>(), Catch::Contains("0x"));
+}
+
+TEST_CASE("explain gives a command that names the statement", "[explain][gl]") {
+  const TemporaryDirectory directory;
+  const ProgramResult result = runProgram(
+      directory, {"explain", TWINTRACE_SOURCE_DIR "/experiments/scenes/local-lights.toml",
+                  "--width", "16", "--height", "16", "--pixel", "0,2", "--sample", "3",
+                  "--override", faultyDot(directory), "--json", "-"});
+  REQUIRE(result.exitCode == 1);
+  const std::string command = result.json()["first"]["replay"];
+  REQUIRE_THAT(command, Catch::StartsWith("twintrace probe 'dot3(vec3, vec3)' --inputs 0x"));
+  const std::string answer = directory.file("answer.json");
+  const int status = std::system((std::string(TWINTRACE_BINARY) + command.substr(9) +
+                                  " --quiet --json " + answer)
+                                     .c_str());
+  CHECK(WEXITSTATUS(status) == 1);
+  const Json json = Json::parse(readBytes(answer));
+  CHECK(json["statements"]["function"] == "dot3");
+  CHECK(json["statements"]["statement"]["gpu"]["text"] ==
+        "return intBitsToFloat(floatBitsToInt(result) + 1);");
+  const Json ofExplain = result.json()["first"]["differing"][0];
+  CHECK(json["statements"]["differing"][0]["gpu"] == ofExplain["b"]);
+  CHECK(json["statements"]["differing"][0]["float"] == ofExplain["a"]);
+}
+
+TEST_CASE("explain in native maths says that a trace no longer differs", "[explain][gl]") {
+  const TemporaryDirectory directory;
+  // Mesa makes one power of a product of two; not so if both are traced, and the first is infinite.
+  const std::string right = "  return result;\n";
+  std::string text = ShaderLibrary().find("hash.glsl").value().text;
+  text.replace(text.find(right, text.find("float unitFloat(")), right.size(),
+               "  float first = exp2(200.0f + result);\n  float second = exp2(-100.0f - result);\n"
+               "  return result + 1.0e24f / (first * second);\n");
+  writeBytes(directory.file("hash.glsl"), text);
+  writeBytes(directory.file("ball.toml"), kBall);
+  const ProgramResult result = runProgram(
+      directory, {"explain", "ball.toml", "--width", "16", "--height", "16", "--spp", "2", "--pixel",
+                  "8,8", "--a", "backend=gpu,maths=native", "--b",
+                  "backend=gpu,maths=native,override=shaders/hash.glsl=hash.glsl"});
+  INFO(result.err);
+  if (result.exitCode == 0) {
+    WARN("this driver compiles traced programs as it does plain ones");
+    return;
+  }
+  CHECK(result.exitCode == 1);
+  CHECK_THAT(result.out, Catch::Contains("pixel 8,8, sample 0"));
+  CHECK_THAT(result.out, Catch::Contains("the traced ones no longer do"));
+  CHECK_THAT(result.out, Catch::Contains("b: the traced program does not show what"));
 }
 
 }  // namespace twintrace::test
