@@ -90,19 +90,24 @@ class Hearing {
     }
   }
 
-  /// Compares gpu with cpu. @return whether they differ
+  /// Compares gpu with cpu, each with the same intersector. @return whether they differ
   bool addTwins(JuryReport& report, std::size_t ray) const {
-    const int gpu = indexOf("gpu");
-    const int cpu = indexOf("cpu");
-    if (gpu < 0 || cpu < 0) return false;
-    const bool differ =
-        !sameAnswer(answers_[std::size_t(gpu)][ray], answers_[std::size_t(cpu)][ray]);
-    ++report.twinsCompared;
+    bool compared = false;
+    bool differ = false;
+    for (const std::string intersector : {"", "/report"}) {
+      const int gpu = indexOf("gpu" + intersector);
+      const int cpu = indexOf("cpu" + intersector);
+      if (gpu < 0 || cpu < 0) continue;
+      compared = true;
+      differ =
+          differ || !sameAnswer(answers_[std::size_t(gpu)][ray], answers_[std::size_t(cpu)][ray]);
+    }
+    report.twinsCompared += compared;
     report.twinsDiffer += differ;
     return differ;
   }
 
-  int indexOf(const char* label) const {
+  int indexOf(const std::string& label) const {
     for (std::size_t i = 0; i < engines_.size(); ++i) {
       if (engines_[i].label == label) return static_cast<int>(i);
     }

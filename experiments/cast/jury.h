@@ -53,7 +53,8 @@ struct JuryReport {
   std::uint64_t unanswerable = 0;  ///< rays with a NaN
   std::vector<EngineVerdict> engines;
   std::uint64_t twinsCompared = 0;
-  std::uint64_t twinsDiffer = 0;  ///< rays on which gpu and cpu differ in a bit
+  /// Rays on which gpu and cpu differ in a bit, with either intersector.
+  std::uint64_t twinsDiffer = 0;
   std::vector<Disagreement> disagreements;
 
   /// Whether a trusted engine has an inexcusable answer, or the twins differ.

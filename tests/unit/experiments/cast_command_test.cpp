@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "gpu/shader_source.h"
 #include "tests/catch.h"
 #include "tests/unit/experiments/program_run.h"
 
@@ -155,6 +156,21 @@ TEST_CASE("the jury finds gpu and cpu equal in each bit", "[cast][gl]") {
     CHECK(report["gpu_cpu_compared"] == 300);
     CHECK(report["gpu_cpu_differ"] == 0);
   }
+}
+
+TEST_CASE("the jury compares the bits of the report's intersector too", "[cast][gl]") {
+  const TemporaryDirectory directory;
+  std::string text = ShaderLibrary().find("intersect_report.glsl").value().text;
+  const std::string from = "t >= 1e-4f";
+  REQUIRE(text.find(from) != std::string::npos);
+  text.replace(text.find(from), from.size(), "t >= 1e-1f");
+  test::writeBytes(directory.file("mine.glsl"), text);
+  const ProgramResult result =
+      castFamily(directory, "plane-generic",
+                 {"--override", "shaders/intersect_report.glsl=" + directory.file("mine.glsl")});
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 1);
+  CHECK(result.json()["reports"][0]["gpu_cpu_differ"] > 0);
 }
 
 }  // namespace twintrace
