@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <sstream>
 
 #include "common/base/error.h"
@@ -35,6 +36,22 @@ struct Docket {
   HitsFormat format = HitsFormat::cases;
   std::size_t nanRays = 0;
 };
+
+CaseSet raysBetween(const CaseSet& cases, std::size_t first, std::size_t end) {
+  std::vector<std::size_t> rays(end - first);
+  std::iota(rays.begin(), rays.end(), first);
+  return selectRays(cases, rays);
+}
+
+template <class Hit>
+bool isHit(const Hit& hit) {
+  return hit.primitive >= 0;
+}
+
+template <class Hit>
+void append(std::vector<Hit>& all, const std::vector<Hit>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
 
 class CastCommand {
  public:
@@ -115,42 +132,74 @@ class CastCommand {
 
   /// Asks one engine, without judging.
   int castDocket(const Docket& docket) {
+    const auto engine = engine_ == "exact" ? nullptr : openCaseEngine(engine_, options_);
+    const InterruptScope interrupt;
+    std::vector<ExactHit> exact;
+    std::vector<CastHit> answers;
+    visitParts(docket.cases, interrupt, [&](const CaseSet& part) {
+      if (engine) {
+        append(answers, engine->cast(part));
+      } else {
+        append(exact, arbitrate(part));
+      }
+    });
     std::ostringstream text;
     HitsOutput output(text, docket.format);
-    std::size_t hits = 0;
-    if (engine_ == "exact") {
-      const std::vector<ExactHit> exact = arbitrate(docket.cases);
-      output.write(docket.cases, exact);
-      hits = std::count_if(exact.begin(), exact.end(),
-                           [](const ExactHit& hit) { return hit.primitive >= 0; });
-    } else {
-      const auto answers = openCaseEngine(engine_, options_)->cast(docket.cases);
+    if (engine) {
       output.write(docket.cases, engine_, answers);
-      hits = std::count_if(answers.begin(), answers.end(),
-                           [](const CastHit& hit) { return hit.valid(); });
+    } else {
+      output.write(docket.cases, exact);
     }
-    const Json json = {
-        {"name", docket.name}, {"engine", engine_},          {"rays", docket.cases.rays.size()},
-        {"hits", hits},        {"nan_rays", docket.nanRays}, {"provenance", machineJson()}};
+    const auto hits = std::count_if(answers.begin(), answers.end(), isHit<CastHit>) +
+                      std::count_if(exact.begin(), exact.end(), isHit<ExactHit>);
+    const Json json = {{"name", docket.name},
+                       {"engine", engine_},
+                       {"rays", answers.size() + exact.size()},
+                       {"hits", hits},
+                       {"nan_rays", docket.nanRays},
+                       {"provenance", machineJson()}};
     finish(json, hitsPath_.empty() ? text.str() : "", text.str(), {});
-    return kAgree;
+    return interrupt.interrupted() ? kInterrupted : kAgree;
   }
 
   int judgeDocket(const Docket& docket) {
     JuryBench bench = openBench();
+    const InterruptScope interrupt;
     Jury jury(bench.engines, keptCount());
     std::vector<JuryReport> reports = {jury.open(docket.name, "")};
-    jury.hear(reports[0], docket.cases, Expectation::exact);
+    JuryReport& report = reports.front();
+    visitParts(docket.cases, interrupt, [&](const CaseSet& part) {
+      jury.hear(report, part, Expectation::exact, report.rays);
+    });
     std::ostringstream hits;
-    if (!hitsPath_.empty()) writeAllAnswers(hits, docket, bench);
-    return conclude(reports, bench, reportText(reports[0]), hits.str());
+    if (!hitsPath_.empty()) writeAllAnswers(hits, docket, report.rays, bench);
+    const int code = conclude(reports, bench, reportText(report), hits.str());
+    return interrupt.interrupted() ? kInterrupted : code;
   }
 
-  void writeAllAnswers(std::ostream& out, const Docket& docket, const JuryBench& bench) const {
+  /// Visits all rays, or those before Ctrl-C, in parts of what memory and patience hold.
+  template <class Visitor>
+  void visitParts(const CaseSet& cases, const InterruptScope& interrupt,
+                  const Visitor& visit) const {
+    const std::size_t total = cases.rays.size();
+    if (total <= kChunk) return visit(cases);
+    ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
+    for (std::size_t first = 0; first < total && !interrupt.interrupted(); first += kChunk) {
+      const std::size_t end = std::min<std::size_t>(first + kChunk, total);
+      visit(raysBetween(cases, first, end));
+      display.show({double(end) / double(total), 0, 0.0});
+    }
+  }
+
+  /// The answers of all to the first rays, which is how many were heard.
+  void writeAllAnswers(std::ostream& out, const Docket& docket, std::size_t heard,
+                       const JuryBench& bench) const {
+    const bool all = heard == docket.cases.rays.size();
+    const CaseSet cases = all ? docket.cases : raysBetween(docket.cases, 0, heard);
     HitsOutput output(out, docket.format);
-    output.write(docket.cases, arbitrate(docket.cases));
+    output.write(cases, arbitrate(cases));
     for (const JuryEngine& engine : bench.engines) {
-      output.write(docket.cases, engine.label, engine.engine->cast(docket.cases));
+      output.write(cases, engine.label, engine.engine->cast(cases));
     }
   }
 
