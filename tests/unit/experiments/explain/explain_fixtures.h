@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -12,10 +13,15 @@
 
 namespace twintrace::test {
 
-/// A shipped scene on a small film.
+/// A ball with two lobes on a plane, and a lamp: drivers take seconds to compile the instrumented
+/// program of a shipped scene.
+inline const std::string kBallScene =
+    TWINTRACE_SOURCE_DIR "/tests/unit/experiments/explain/ball.toml";
+
+/// A shipped scene, or one given by its whole path, on a small film.
 struct SmallScene {
   explicit SmallScene(const std::string& name)
-      : scene(readScene(TWINTRACE_SOURCE_DIR "/experiments/scenes/" + name)) {
+      : scene(readScene(std::filesystem::path(TWINTRACE_SOURCE_DIR "/experiments/scenes") / name)) {
     options = scene.render;
     options.width = 16;
     options.height = 16;
