@@ -1,5 +1,6 @@
 #include "common/cast/families.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -18,6 +19,19 @@ bool sameVector(const glm::vec3& a, const glm::vec3& b) {
 bool sameRay(const CastRay& a, const CastRay& b) {
   return sameVector(a.origin, b.origin) && sameVector(a.direction, b.direction) &&
          a.tmin == b.tmin && a.tmax == b.tmax;
+}
+
+/// Whether two rays of case sets are the same with all that they see and how they bounce.
+bool sameCase(const CaseSet& a, std::size_t i, const CaseSet& b, std::size_t k) {
+  const auto inA = a.primitivesOf(a.rays[i]);
+  const auto inB = b.primitivesOf(b.rays[k]);
+  const auto samePrimitive = [](const CasePrimitive& p, const CasePrimitive& q) {
+    return p.kind == q.kind && p.values == q.values;
+  };
+  return sameRay(a.rays[i].ray, b.rays[k].ray) &&
+         std::equal(inA.begin(), inA.end(), inB.begin(), inB.end(), samePrimitive) &&
+         a.bounces.empty() == b.bounces.empty() &&
+         (a.bounces.empty() || a.bounces[i] == b.bounces[k]);
 }
 
 bool isFinite(const glm::vec3& v) {
@@ -54,16 +68,33 @@ TEST_CASE("drawFamily depends on name, count and seed alone", "[cast]") {
   }
 }
 
-TEST_CASE("a family can be drawn in parts", "[cast]") {
+TEST_CASE("a family drawn in parts has the rays of one drawn at once", "[cast]") {
+  // Parts that begin and end within the rays of a shared scene, and one that goes over its end.
+  constexpr std::uint32_t kParts[] = {1, 99, 100, 80};
   for (const Family& family : families()) {
     INFO(family.name);
-    const CaseSet whole = drawFamily(family.name, 300, 5);
-    const CaseSet part = drawFamily(family.name, 20, 5, 270);
-    for (std::size_t i = 0; i < part.rays.size(); ++i) {
-      CHECK(sameRay(part.rays[i].ray, whole.rays[270 + i].ray));
-      CHECK(part.primitivesOf(part.rays[i]).back().values ==
-            whole.primitivesOf(whole.rays[270 + i]).back().values);
+    const CaseSet whole = drawFamily(family.name, 280, 5);
+    std::uint32_t first = 0;
+    for (const std::uint32_t count : kParts) {
+      const CaseSet part = drawFamily(family.name, count, 5, first);
+      REQUIRE(part.rays.size() == count);
+      std::uint32_t same = 0;
+      for (std::uint32_t i = 0; i < count; ++i) same += sameCase(part, i, whole, first + i);
+      CHECK(same == count);
+      first += count;
     }
+    CHECK(first == whole.rays.size());
+  }
+}
+
+TEST_CASE("a family of another seed has other scenes too", "[cast]") {
+  for (const Family& family : families()) {
+    INFO(family.name);
+    const CaseSet a = drawFamily(family.name, 40, 7);
+    const CaseSet b = drawFamily(family.name, 40, 8);
+    int same = 0;
+    for (std::size_t i = 0; i < 40; ++i) same += sameCase(a, i, b, i);
+    CHECK(same == 0);
   }
 }
 

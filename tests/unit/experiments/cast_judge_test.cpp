@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "common/cast/case_set.h"
+#include "cpu/exact/arbiter.h"
 #include "experiments/cast/judge.h"
 #include "experiments/cast/tally.h"
 #include "tests/catch.h"
@@ -66,6 +67,34 @@ TEST_CASE("judgeHit measures t in units of the surface's motion and in ulp", "[c
   CHECK(judgement.ulp == 2);
   late.t = 2.0f + 3 * 0x1p-22f;
   CHECK(findingOf(exactHit(), late) == Finding::wrongDistance);
+}
+
+TEST_CASE("judgeHit's unit on a sphere is what moving its surface does, up to its rim", "[cast]") {
+  constexpr double kUlp = 4 * 0x1p-23;  // of M = 4, the origin's distance
+  for (const bool inside : {false, true}) {
+    for (const float aside : {0.0f, 0.6f, 0.96f, 0.9999f}) {
+      const CastRay ray{{aside, inside ? 0.0f : -4.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, 0.0f, 9.0f};
+      CaseSet cases;
+      cases.primitives = {CasePrimitive{CaseKind::sphere, {0.0f, 0.0f, 0.0f, 1.0f}}};
+      cases.scenes = {{0, 1}};
+      cases.rays = {{ray, 0}};
+      const ExactHit exact = arbitrate(cases).at(0);
+      REQUIRE(exact.leaving == inside);
+      // From inside no coordinate exceeds 1.
+      const double ulp = inside ? kUlp / 4 : kUlp;
+      for (const int moves : {-6, -4, 4, 6}) {
+        const double radius = 1.0 + moves * ulp;
+        const double chord = std::sqrt((radius - aside) * (radius + double(aside)));
+        CastHit answer;
+        answer.t = static_cast<float>(inside ? chord : 4.0 - chord);
+        answer.primitive = 0;
+        answer.normal = glm::vec3(exact.normal);
+        INFO("aside " << aside << ", inside " << inside << ", moves " << moves);
+        const Judgement judgement = judgeHit(exact, answer, 1, false);
+        CHECK((judgement.finding == Finding::wrongDistance) == (std::abs(moves) == 6));
+      }
+    }
+  }
 }
 
 TEST_CASE("judgeHit takes the distance of either face at an edge", "[cast]") {

@@ -1,6 +1,7 @@
 #include "experiments/probe/user_shader.h"
 
 #include <bit>
+#include <set>
 
 #include "common/base/error.h"
 #include "experiments/probe/user_reference.h"
@@ -74,13 +75,25 @@ TEST_CASE("parseUserShader reads ranges and reports what it can't read", "[probe
   CHECK_THAT(errorOf("// twintrace: x unit" + f), Contains("found unit for a float"));
 }
 
-TEST_CASE("drawUserInputs stays within the ranges", "[probe]") {
+TEST_CASE("drawUserInputs stays within the ranges and goes to their ends", "[probe]") {
   const auto shader = probe::parseUserShader(
-      "// twintrace: x in [2, 3]\nfloat f(float x) { return x; }", "a.glsl", {});
-  for (const std::uint32_t word : probe::drawUserInputs(shader.functions[0], 500, 1)) {
-    const auto x = std::bit_cast<float>(word);
-    REQUIRE((x >= 2 && x <= 3));
+      "// twintrace: x in [2, 3], i in [-1, 1], n unit\n"
+      "float f(float x, int i, vec2 n) { return x; }",
+      "a.glsl", {});
+  const auto words = probe::drawUserInputs(shader.functions[0], 500, 1);
+  std::set<float> numbers;
+  std::set<int> integers;
+  for (std::size_t at = 0; at < words.size(); at += 4) {
+    numbers.insert(std::bit_cast<float>(words[at]));
+    integers.insert(static_cast<int>(words[at + 1]));
+    const double x = std::bit_cast<float>(words[at + 2]);
+    const double y = std::bit_cast<float>(words[at + 3]);
+    REQUIRE(x * x + y * y == Approx(1.0));
   }
+  CHECK(*numbers.begin() == 2.0f);
+  CHECK(*numbers.rbegin() == 3.0f);
+  CHECK(numbers.size() > 400);
+  CHECK(integers == std::set<int>{-1, 0, 1});
 }
 
 TEST_CASE("probe --shader agrees with the same text in double", "[probe][gl]") {
@@ -158,7 +171,7 @@ TEST_CASE("probe --shader compares with a function of this project by name", "[p
 TEST_CASE("probe --shader maps mistakes to the user's line", "[probe][gl]") {
   const TemporaryDirectory directory;
   const ProgramResult driver = probeText(directory, "float f(float x) {\n  return y;\n}\n");
-  CHECK(driver.exitCode != 0);
+  CHECK(driver.exitCode == 3);
   CHECK_THAT(driver.err, Contains("a.glsl:2"));
   const ProgramResult compiler =
       probeText(directory, "float f(float x) {\n  mat2 m = mat2(x);\n  return m[0][0];\n}\n");
