@@ -1,6 +1,7 @@
 // What cast makes of a missing GL, of Ctrl-C, and of rays and cases that are no good.
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <chrono>
 #include <csignal>
 #include <sstream>
@@ -121,7 +122,9 @@ TEST_CASE("Ctrl-C ends cast of a file with the rays answered so far", "[cast]") 
   constexpr int kRays = 140000;  // more than two parts
   const TemporaryDirectory directory;
   std::string cases = "sphere,s,0,0,0,1\n";
-  for (int i = 0; i < kRays; ++i) cases += "ray," + std::to_string(i) + ",0,0,-3,0,0,1,0,9\n";
+  for (int i = 0; i < kRays; ++i) {  // the ball is at t = i
+    cases += fmt::format("ray,{},0,0,{},0,0,1,0,inf\n", i, -1 - i);
+  }
   const std::string path = directory.file("cases.csv");
   const std::string file = directory.file("j.json");
   const std::string hits = directory.file("hits.csv");
@@ -141,7 +144,9 @@ TEST_CASE("Ctrl-C ends cast of a file with the rays answered so far", "[cast]") 
   CHECK(whole.exitCode == 0);
   const std::string all = test::readBytes(hits);
   CHECK(countOf(all, ",cpu,s,") == kRays);
-  CHECK_THAT(all, Catch::Contains("\n,70000,cpu,s,"));
+  for (const int i : {0, 65535, 65536, 131072, kRays - 1}) {
+    CHECK_THAT(all, Catch::Contains(fmt::format("\n,{},cpu,s,{:a},", i, double(i))));
+  }
 }
 
 TEST_CASE("cast reports every fault of cases at once, with line and column", "[cast]") {
