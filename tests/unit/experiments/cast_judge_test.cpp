@@ -97,6 +97,26 @@ TEST_CASE("judgeHit's unit on a sphere is what moving its surface does, up to it
   }
 }
 
+TEST_CASE("judgeHit's unit at a tangent is finite: t moves as the root of the surface", "[cast]") {
+  const CastRay ray{{1.0f, -4.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, 0.0f, 9.0f};
+  CaseSet cases;
+  cases.primitives = {CasePrimitive{CaseKind::sphere, {0.0f, 0.0f, 0.0f, 1.0f}}};
+  cases.scenes = {{0, 1}};
+  cases.rays = {{ray, 0}};
+  const ExactHit exact = arbitrate(cases).at(0);
+  REQUIRE(exact.t == 4.0);
+  for (const int moves : {20, 30}) {  // of which 25 are 5 units
+    const double radius = 1.0 + moves * 4 * 0x1p-23;
+    CastHit answer;
+    answer.t = static_cast<float>(4.0 - std::sqrt(radius * radius - 1.0));
+    answer.primitive = 0;
+    answer.normal = glm::vec3(exact.normal);
+    INFO(moves);
+    const Judgement judgement = judgeHit(exact, answer, 1, false);
+    CHECK((judgement.finding == Finding::wrongDistance) == (moves > 25));
+  }
+}
+
 TEST_CASE("judgeHit takes the distance of either face at an edge", "[cast]") {
   ExactHit edge = exactHit();
   edge.facesBeside = {{2.0 + 30 * 0x1p-22, 0x1p-23, {1.0, 0.0, 0.0}}};
