@@ -61,18 +61,25 @@ class LiteralGeometry {
          layout::kOrientedBoxTexels, "OrientedBox");
     kind(Effect::plane, index.planeCount, index.planeOffset, layout::kPlaneTexels, "Plane");
     return "// Generated: this scene's geometry as literals.\n#pragma once\n\n"
-           "#include \"intersect.glsl\"\n#include \"scene_access.glsl\"\n\n"
-           "Hit visitGeometry(Ray ray, Hit start) {\n  precise Hit best = start;\n" +
+           "#include \"intersect.glsl\"\n#include \"scene_access.glsl\"\n\n" +
+           lookups_ + "Hit visitGeometry(Ray ray, Hit start) {\n  precise Hit best = start;\n" +
            calls_ + "  return best;\n}\n";
   }
 
  private:
   void kind(Effect effect, int count, int offset, int texels, std::string_view type) {
+    lookups_ += fmt::format("{} visited{}(int index) {{\n", type, type);
+    const bool compiled = count > 0 && scene_.effects.has(effect);
+    if (!compiled) lookups_ += fmt::format("  return fetch{}(index);\n}}\n\n", type);
     for (int i = 0; i < count; ++i, ++primitive_) {
-      if (!scene_.effects.has(effect)) continue;
-      calls_ += fmt::format("  best = nearer(best, intersect{}(ray, {}({})), {});\n", type, type,
-                            arguments(offset + i * texels, texels), primitive_);
+      if (!compiled) continue;
+      const std::string record = fmt::format("{}({})", type, arguments(offset + i * texels, texels));
+      calls_ += fmt::format("  best = nearer(best, intersect{}(ray, {}), {});\n", type, record,
+                            primitive_);
+      lookups_ += i == 0 ? fmt::format("  precise {} result = {};\n", type, record)
+                         : fmt::format("  if (index == {}) {{\n    result = {};\n  }}\n", i, record);
     }
+    if (compiled) lookups_ += "  return result;\n}\n\n";
   }
 
   // A sphere's radius is its texel's fourth float; the other records are vectors only.
@@ -87,6 +94,7 @@ class LiteralGeometry {
 
   const FlatScene& scene_;
   std::string calls_;
+  std::string lookups_;
   int primitive_ = 0;
 };
 

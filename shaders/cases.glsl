@@ -180,19 +180,19 @@ Surface orientedCaseSurface(Ray ray, float t, OrientedBox box) {
 // The surface of a case's primitive at a hit.
 Surface caseSurface(Ray ray, float t, int texel, float scale) {
   int kind = caseKind(texel);
+  precise Surface result = Surface(vec3(0.0f), vec3(0.0f), 0.0f);
   if (kind == kCaseSphere) {
-    return sphereSurface(ray, t, fetchCaseSphere(texel, scale));
+    result = chosenSphereSurface(ray, t, fetchCaseSphere(texel, scale));
+  } else if (kind == kCaseBox) {
+    result = chosenBoxSurface(ray, t, fetchCaseBox(texel, scale));
+  } else if (kind == kCaseOrientedBox) {
+    result = orientedCaseSurface(ray, t, fetchCaseOrientedBox(texel, scale));
+  } else if (kind == kCasePlane) {
+    result = planeSurface(ray, t, withUnitNormal(fetchCasePlane(texel, scale)));
+  } else {
+    result = triangleSurface(ray, t, fetchCaseTriangle(texel, scale));
   }
-  if (kind == kCaseBox) {
-    return chosenBoxSurface(ray, t, fetchCaseBox(texel, scale));
-  }
-  if (kind == kCaseOrientedBox) {
-    return orientedCaseSurface(ray, t, fetchCaseOrientedBox(texel, scale));
-  }
-  if (kind == kCasePlane) {
-    return planeSurface(ray, t, withUnitNormal(fetchCasePlane(texel, scale)));
-  }
-  return triangleSurface(ray, t, fetchCaseTriangle(texel, scale));
+  return result;
 }
 
 // tmin in the scale of the view. One that is lost to underflow is still above zero: a hit exactly at

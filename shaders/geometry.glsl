@@ -1,9 +1,25 @@
-// All primitives against one ray, from the texel array. For small scenes a generated file with the
-// same function stands in for this one, with the geometry as literals.
+// All primitives against one ray, and those that were hit, from the texel array. For small scenes a
+// generated file with the same functions stands in for this one, with the geometry as literals.
 #pragma once
 
 #include "intersect.glsl"
 #include "scene_access.glsl"
+
+Sphere visitedSphere(int index) {
+  return fetchSphere(index);
+}
+
+Box visitedBox(int index) {
+  return fetchBox(index);
+}
+
+OrientedBox visitedOrientedBox(int index) {
+  return fetchOrientedBox(index);
+}
+
+Plane visitedPlane(int index) {
+  return fetchPlane(index);
+}
 
 Hit visitGeometry(Ray ray, Hit start) {
   precise Hit best = start;

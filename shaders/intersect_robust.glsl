@@ -9,81 +9,51 @@
 // 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 const float kSlabWidening = 7.2e-7f;
 
-// The sphere's discriminant and its value at the origin err by less than this part of the squared
-// lengths that they are the difference of (at most 8 roundings of 2^-24, times 2).
-const float kSphereDoubt = 9.5367431640625e-7f;
-// Squared lengths within which no product of the test overflows or loses bits to underflow.
-const float kLeastSquare = 1e-24f;
-const float kMostSquare = 1e36f;
+// Where the line of a ray meets a sphere. `foot` is the line's point at about the least distance from
+// the center, from there and in radii, as are the steps along the direction to both hits.
+struct SphereChord {
+  vec3 foot;
+  float entryStep;
+  float exitStep;
+  float entry;  // both hits' distances from the ray's origin
+  float exit;
+  bool meets;
+};
 
-// Haines, Guenther and Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection"
-// (Ray Tracing Gems, ch. 7), in double, where no lengths of floats overflow. Changed: written in
-// select form; the quotient that is 0/0 for an origin at the point of contact is left out.
-float intersectSphereInDouble(Ray ray, Sphere sphere) {
-  precise dvec3 d = dvec3(ray.direction);
-  precise dvec3 f = dvec3(ray.origin) - dvec3(sphere.center);
-  precise double a = (d.x * d.x + d.y * d.y) + d.z * d.z;
-  precise double b = -((f.x * d.x + f.y * d.y) + f.z * d.z);
-  precise double middle = b / a;
-  precise dvec3 toAxis = f + d * middle;
-  precise double r2 = double(sphere.radius) * double(sphere.radius);
-  precise double l2 = (toAxis.x * toAxis.x + toAxis.y * toAxis.y) + toAxis.z * toAxis.z;
-  precise double discriminant = r2 - l2;
-  precise double scaled = a * discriminant;
-  precise double root = sqrt(scaled);
-  precise double less = b - root;
-  precise double more = b + root;
-  precise double c = ((f.x * f.x + f.y * f.y) + f.z * f.z) - r2;
-  precise bool backwards = b < 0.0f;
-  precise double fromLess = c / less;
-  precise double fromMore = c / more;
-  precise double atLess = less / a;
-  precise double atMore = more / a;
-  precise float t0 = select(backwards, float(fromLess), float(fromMore));
-  precise float t1 = select(backwards, float(atLess), float(atMore));
-  precise float first = least(t1, t0);
-  precise float second = greatest(t1, t0);
-  precise float t = select(first >= ray.tmin, first, second);
-  precise bool valid = discriminant >= 0.0f && t >= ray.tmin;
-  precise float result = select(valid, t, kInfinity);
+// Haines, Guenther and Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection" (Ray
+// Tracing Gems, ch. 7), who take the discriminant from the line's point nearest to the center. Changed:
+// that point need only be near, but is exact, from products in double; the rest is a unit sphere seen
+// from close by, for which float is enough, and no length is squared before it is in radii.
+SphereChord chordOf(Ray ray, Sphere sphere) {
+  precise vec3 d = ray.direction;
+  precise vec3 f = ray.origin - sphere.center;
+  precise float a = dot3(d, d);
+  precise float along = -dot3(f, d);
+  precise float t = divide(along, a);
+  precise dvec3 from = dvec3(ray.origin) - dvec3(sphere.center);
+  precise double scale = double(1.0f) / double(sphere.radius);
+  precise dvec3 near = (from + dvec3(d) * double(t)) * scale;
+  precise vec3 foot = vec3(float(near.x), float(near.y), float(near.z));
+  precise float b = -dot3(foot, d);
+  precise float c = dot3(foot, foot) - 1.0f;
+  precise float squared = b * b - a * c;
+  precise float root = squareRoot(squared);
+  precise float less = b - root;
+  precise float more = b + root;
+  precise float entryStep = divide(less, a);
+  precise float exitStep = divide(more, a);
+  precise float entry = t + entryStep * sphere.radius;
+  precise float exit = t + exitStep * sphere.radius;
+  precise bool meets = squared >= 0.0f;
+  precise SphereChord result = SphereChord(foot, entryStep, exitStep, entry, exit, meets);
   return result;
 }
 
-// The same in float, and in double for the few rays of which float cannot tell whether they touch the
-// sphere, on which side of it they begin, or whose lengths have no squares. A loop, since llvmpipe
-// leaves one that no lane enters, but runs both sides of an `if`. The direction's largest component is
-// within [0.5, 2).
 float intersectSphereRobust(Ray ray, Sphere sphere) {
-  precise vec3 f = ray.origin - sphere.center;
-  precise float a = dot3(ray.direction, ray.direction);
-  precise float b = -dot3(f, ray.direction);
-  precise vec3 toAxis = f + ray.direction * divide(b, a);
-  precise float r2 = sphere.radius * sphere.radius;
-  precise float f2 = dot3(f, f);
-  precise float discriminant = r2 - dot3(toAxis, toAxis);
-  precise float c = f2 - r2;
-  precise float squares = f2 + r2;
-  precise float doubt = squares * kSphereDoubt;
-  precise bool passes = discriminant < -doubt;
-  precise bool meets = discriminant > doubt && absolute(c) > doubt;
-  precise bool sure = (passes || meets) && squares > kLeastSquare && squares < kMostSquare;
-  precise float scaled = a * discriminant;
-  precise float root = squareRoot(scaled);
-  precise float less = b - root;
-  precise float more = b + root;
-  precise float q = select(b < 0.0f, less, more);
-  precise float t0 = divide(c, q);
-  precise float t1 = divide(q, a);
-  precise float first = least(t1, t0);
-  precise float second = greatest(t1, t0);
-  precise float t = select(first >= ray.tmin, first, second);
-  precise bool valid = meets && t >= ray.tmin;
+  precise SphereChord chord = chordOf(ray, sphere);
+  precise float t = select(chord.entry >= ray.tmin, chord.entry, chord.exit);
+  precise bool valid = chord.meets && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
-  precise bool pending = !sure;
-  while (pending) {
-    result = intersectSphereInDouble(ray, sphere);
-    pending = false;
-  }
   return result;
 }
 

@@ -2,8 +2,7 @@
 // ray's origin must move to have left it.
 #pragma once
 
-#include "intersect.glsl"
-#include "scene_access.glsl"
+#include "geometry.glsl"
 
 struct Surface {
   vec3 position;
@@ -15,9 +14,11 @@ struct Surface {
 // the next intersection errs by as much again: 12 units of 2^-24.
 const float kOffsetScale = 7.2e-7f;
 
-// A plane's point errs by its coordinates' rounding alone (at most 2 units of 2^-24 along the normal),
-// and the next intersection, in double, not at all.
-const float kPlaneOffsetScale = 2.4e-7f;
+// A plane's point, and an origin above it, err by rounding each coordinate alone: by 2 units of 2^-24 of
+// it. The next intersection, in double, does not err.
+const float kPlaneOffsetScale = 1.5e-7f;
+// What still parts an origin from a plane's point that is all zeros.
+const float kLeastOffset = 1e-30f;
 
 // The report's fixed offset, in scene units.
 const float kReportOffset = 1e-4f;
@@ -28,32 +29,16 @@ float largestCoordinate(vec3 v) {
   return result;
 }
 
-// Outward and unit. From the ray instead of from the point at t, which of a small and far sphere may lie
-// anywhere within it and beyond: the root is taken again in double. +y without a hit.
+// Outward and unit, at the hit that is closest to t: the point at t itself may lie anywhere in a small and
+// far sphere and beyond it. +y without a hit.
 vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
-  precise dvec3 d = dvec3(ray.direction);
-  precise dvec3 f = dvec3(ray.origin) - dvec3(sphere.center);
-  precise double radius = double(sphere.radius);
-  precise double a = (d.x * d.x + d.y * d.y) + d.z * d.z;
-  precise double b = -((f.x * d.x + f.y * d.y) + f.z * d.z);
-  precise double middle = b / a;
-  precise dvec3 toAxis = f + d * middle;
-  precise double r2 = radius * radius;
-  precise double l2 = (toAxis.x * toAxis.x + toAxis.y * toAxis.y) + toAxis.z * toAxis.z;
-  precise double squared = (r2 - l2) / a;
-  precise double chord = sqrt(squared);
-  precise double entry = middle - chord;
-  precise float first = float(entry);
-  precise float between = float(middle);
-  precise bool entering = first >= ray.tmin && t <= between;
-  precise float side = select(entering, -1.0f, 1.0f);
-  precise double along = chord * double(side);
-  precise double x = (toAxis.x + d.x * along) / radius;
-  precise double y = (toAxis.y + d.y * along) / radius;
-  precise double z = (toAxis.z + d.z * along) / radius;
-  precise vec3 unit = vec3(float(x), float(y), float(z));
-  precise bool meets = squared >= 0.0f && radius > 0.0f;
-  precise vec3 result = select(meets, unit, vec3(0.0f, 1.0f, 0.0f));
+  precise SphereChord chord = chordOf(ray, sphere);
+  precise float sinceEntry = t - chord.entry;
+  precise float untilExit = chord.exit - t;
+  precise bool entering = chord.entry >= ray.tmin && sinceEntry <= untilExit;
+  precise float step = select(entering, chord.entryStep, chord.exitStep);
+  precise vec3 unit = chord.foot + ray.direction * step;
+  precise vec3 result = select(chord.meets, unit, vec3(0.0f, 1.0f, 0.0f));
   return result;
 }
 
@@ -63,6 +48,21 @@ Surface sphereSurface(Ray ray, float t, Sphere sphere) {
   precise float offset = (largestCoordinate(sphere.center) + sphere.radius) * kOffsetScale;
   precise Surface result = Surface(position, outward, offset);
   return result;
+}
+
+// The report's normal is that of the point at t, wherever it lies.
+Surface reportSphereSurface(Ray ray, float t, Sphere sphere) {
+  precise vec3 p = pointAt(ray, t);
+  precise vec3 from = p - sphere.center;
+  precise Surface result = Surface(p, normalize3(from), kReportOffset);
+  return result;
+}
+
+Surface chosenSphereSurface(Ray ray, float t, Sphere sphere) {
+  if (kIntersectorReport) {
+    return reportSphereSurface(ray, t, sphere);
+  }
+  return sphereSurface(ray, t, sphere);
 }
 
 // How far the slab plane at `bound` is from being the one that was hit, and the best so far.
@@ -161,14 +161,10 @@ Surface orientedBoxSurface(Ray ray, float t, OrientedBox box) {
   precise Surface local = chosenBoxSurface(toLocalRay(ray, box), t, toLocalBox(box));
   precise vec3 normal = toWorldDirection(box, local.normal);
   precise vec3 p = pointAt(ray, t);
-  precise dvec3 n = dvec3(normal);
-  precise dvec3 from = dvec3(p) - dvec3(box.center);
-  precise double height = (from.x * n.x + from.y * n.y) + from.z * n.z;
-  precise double squared = (n.x * n.x + n.y * n.y) + n.z * n.z;
+  precise vec3 from = p - box.center;
   precise vec3 axis = local.normal * local.normal;
-  precise float face = dot3(axis, box.halfSize);
-  precise double beyond = (height - double(face)) / squared;
-  precise vec3 position = p - normal * float(beyond);
+  precise float beyond = dot3(from, normal) - dot3(axis, box.halfSize);
+  precise vec3 position = p - normal * divide(beyond, dot3(normal, normal));
   precise float reach = greatest(largestCoordinate(position), largestCoordinate(box.center));
   precise float scaled = reach * kOffsetScale;
   precise float offset = select(kIntersectorReport, kReportOffset, scaled);
@@ -188,8 +184,10 @@ vec3 broughtToPlane(vec3 p, vec3 point, vec3 normal) {
 
 Surface planeSurface(Ray ray, float t, Plane plane) {
   precise vec3 position = broughtToPlane(pointAt(ray, t), plane.point, plane.normal);
-  precise float reach = greatest(largestCoordinate(position), largestCoordinate(plane.point));
-  precise Surface result = Surface(position, plane.normal, reach * kPlaneOffsetScale);
+  precise vec3 along = position * plane.normal;
+  precise float rounding = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
+  precise float offset = rounding * kPlaneOffsetScale + kLeastOffset;
+  precise Surface result = Surface(position, plane.normal, offset);
   return result;
 }
 
@@ -208,8 +206,8 @@ Surface surfaceAt(Ray ray, Hit hit) {
   if (kEffectSphere) {
     precise bool here = hit.primitive < kSphereCount;
     if (anyLane(here)) {
-      precise Sphere sphere = fetchSphere(select(here, hit.primitive, 0));
-      precise Surface found = sphereSurface(ray, hit.t, sphere);
+      precise Sphere sphere = visitedSphere(select(here, hit.primitive, 0));
+      precise Surface found = chosenSphereSurface(ray, hit.t, sphere);
       result = chosenSurface(here, found, result);
     }
   }
@@ -217,7 +215,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   if (kEffectBox) {
     precise bool here = hit.primitive >= first && hit.primitive < first + kBoxCount;
     if (anyLane(here)) {
-      precise Box box = fetchBox(select(here, hit.primitive - first, 0));
+      precise Box box = visitedBox(select(here, hit.primitive - first, 0));
       precise Surface found = chosenBoxSurface(ray, hit.t, box);
       result = chosenSurface(here, found, result);
     }
@@ -226,7 +224,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   if (kEffectOrientedBox) {
     precise bool here = hit.primitive >= first && hit.primitive < first + kOrientedBoxCount;
     if (anyLane(here)) {
-      precise OrientedBox box = fetchOrientedBox(select(here, hit.primitive - first, 0));
+      precise OrientedBox box = visitedOrientedBox(select(here, hit.primitive - first, 0));
       precise Surface found = orientedBoxSurface(ray, hit.t, box);
       result = chosenSurface(here, found, result);
     }
@@ -235,7 +233,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   if (kEffectPlane) {
     precise bool here = hit.primitive >= first && hit.primitive < first + kPlaneCount;
     if (anyLane(here)) {
-      precise Plane plane = fetchPlane(select(here, hit.primitive - first, 0));
+      precise Plane plane = visitedPlane(select(here, hit.primitive - first, 0));
       precise Surface found = planeSurface(ray, hit.t, plane);
       result = chosenSurface(here, found, result);
     }

@@ -96,7 +96,7 @@ void drawOffset(CaseRandom& random, Case& drawn, CaseKind kind) {
 void drawPlate(CaseRandom& random, Case& drawn, CaseKind kind) {
   const double scale = random.logarithmic(1e-3, 1e3);
   const Surface surface = surfaceOf(kind, scale);
-  const double gap = scale * random.logarithmic(2e-6, 1e-2);
+  const double gap = scale * random.logarithmic(1e-6, 1e-2);
   const double thickness = scale * random.logarithmic(1e-6, 1e-1);
   const double low = surface.top + gap;
   const CasePrimitive plate =
@@ -141,7 +141,7 @@ std::vector<FamilyRecipe> bounceFamilies() {
   }
   for (const auto& [kind, name] : kinds) {
     recipes.push_back(bounceRecipe("thin-plate-" + name,
-                                   "bounce below a plate, gap 2e-6 to 1e-2 of the size",
+                                   "bounce below a plate, gap 1e-6 to 1e-2 of the size",
                                    Expectation::plate, drawPlate, kind));
   }
   return recipes;

@@ -185,7 +185,7 @@ template <class R>
 Surface<R> caseSurface(const SceneView& scene, const Ray<R>& ray, R t, int texel, R scale) {
   switch (caseKind(scene, texel)) {
     case kCaseSphere:
-      return sphereSurface(ray, t, fetchCaseSphere<R>(scene, texel, scale));
+      return chosenSphereSurface(scene, ray, t, fetchCaseSphere<R>(scene, texel, scale));
     case kCaseBox:
       return chosenBoxSurface(scene, ray, t, fetchCaseBox<R>(scene, texel, scale));
     case kCaseOrientedBox:

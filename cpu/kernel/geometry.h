@@ -1,11 +1,31 @@
 #pragma once
 
-// Twin of shaders/geometry.glsl: all primitives against one ray.
+// Twin of shaders/geometry.glsl: all primitives against one ray, and those that were hit.
 
 #include "cpu/kernel/intersect.h"
 #include "cpu/kernel/scene_access.h"
 
 TWINTRACE_KERNEL_BEGIN
+
+template <class R>
+Sphere<R> visitedSphere(const SceneView& scene, IntOf<R> index) {
+  return fetchSphere<R>(scene, index);
+}
+
+template <class R>
+Box<R> visitedBox(const SceneView& scene, IntOf<R> index) {
+  return fetchBox<R>(scene, index);
+}
+
+template <class R>
+OrientedBox<R> visitedOrientedBox(const SceneView& scene, IntOf<R> index) {
+  return fetchOrientedBox<R>(scene, index);
+}
+
+template <class R>
+Plane<R> visitedPlane(const SceneView& scene, IntOf<R> index) {
+  return fetchPlane<R>(scene, index);
+}
 
 template <class R>
 Hit<R> visitGeometry(const SceneView& scene, const Ray<R>& ray, const Hit<R>& start) {

@@ -12,70 +12,51 @@ TWINTRACE_KERNEL_BEGIN
 /// 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 inline constexpr float kSlabWidening = 7.2e-7f;
 
-/// How far the sphere's differences of squared lengths can err, as a part of their sum.
-inline constexpr float kSphereDoubt = 9.5367431640625e-7f;
-/// Squared lengths within which no product of the test overflows or loses bits to underflow.
-inline constexpr float kLeastSquare = 1e-24f;
-inline constexpr float kMostSquare = 1e36f;
-
-/// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, ch. 7) in the wider number.
+/// Where the line of a ray meets a sphere. `foot` is the line's point at about the least distance from
+/// the center, from there and in radii, as are the steps along the direction to both hits.
 template <class R>
-R intersectSphereInDouble(const Ray<R>& ray, const Sphere<R>& sphere) {
-  using Wider = WiderOf<R>;
-  const Vec3<Wider> d = wider3(ray.direction);
-  const Vec3<Wider> f = wider3(ray.origin) - wider3(sphere.center);
-  const Wider a = (d.x * d.x + d.y * d.y) + d.z * d.z;
-  const Wider b = -((f.x * d.x + f.y * d.y) + f.z * d.z);
-  const Vec3<Wider> toAxis = f + d * (b / a);
-  const Wider r2 = wider(sphere.radius) * wider(sphere.radius);
-  const Wider l2 = (toAxis.x * toAxis.x + toAxis.y * toAxis.y) + toAxis.z * toAxis.z;
-  const Wider discriminant = r2 - l2;
-  const Wider root = rootOf(a * discriminant);
-  const Wider less = b - root;
-  const Wider more = b + root;
-  const Wider c = ((f.x * f.x + f.y * f.y) + f.z * f.z) - r2;
-  const MaskOf<R> backwards = b < Wider(0.0f);
-  const R t0 = select(backwards, rounded<R>(c / less), rounded<R>(c / more));
-  const R t1 = select(backwards, rounded<R>(less / a), rounded<R>(more / a));
-  const R first = least(t1, t0);
-  const R second = greatest(t1, t0);
-  const R t = select(first >= ray.tmin, first, second);
-  const MaskOf<R> valid = discriminant >= Wider(0.0f) && t >= ray.tmin;
-  return select(valid, t, R(kInfinity));
+struct SphereChord {
+  Vec3<R> foot;
+  R entryStep;
+  R exitStep;
+  R entry;  ///< both hits' distances from the ray's origin
+  R exit;
+  MaskOf<R> meets;
+};
+
+/// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, ch. 7), changed as in
+/// shaders/intersect_robust.glsl: the line's point near the center is exact, from products in the wider
+/// number; the rest is a unit sphere seen from close by.
+template <class R>
+SphereChord<R> chordOf(const Ray<R>& ray, const Sphere<R>& sphere) {
+  const Vec3<R>& d = ray.direction;
+  const Vec3<R> f = ray.origin - sphere.center;
+  const R a = dot3(d, d);
+  const R t = divide(-dot3(f, d), a);
+  const Vec3<WiderOf<R>> from = wider3(ray.origin) - wider3(sphere.center);
+  const WiderOf<R> scale = WiderOf<R>(1.0f) / wider(sphere.radius);
+  const Vec3<WiderOf<R>> near = (from + wider3(d) * wider(t)) * scale;
+  const Vec3<R> foot(rounded<R>(near.x), rounded<R>(near.y), rounded<R>(near.z));
+  const R b = -dot3(foot, d);
+  const R c = dot3(foot, foot) - R(1.0f);
+  const R squared = b * b - a * c;
+  const R root = squareRoot(squared);
+  const R entryStep = divide(b - root, a);
+  const R exitStep = divide(b + root, a);
+  return {foot,
+          entryStep,
+          exitStep,
+          t + entryStep * sphere.radius,
+          t + exitStep * sphere.radius,
+          squared >= R(0.0f)};
 }
 
-/// The same in R, and in the wider number where R cannot tell whether the ray touches the sphere, on
-/// which side of it it begins, or where lengths have no squares. Most rays miss: what follows the
-/// first test is the costly half. llvmpipe would run both sides of that branch.
-/// @param ray its direction's largest component is within [0.5, 2).
 template <class R>
 R intersectSphereRobust(const Ray<R>& ray, const Sphere<R>& sphere) {
-  const Vec3<R> f = ray.origin - sphere.center;
-  const R a = dot3(ray.direction, ray.direction);
-  const R b = -dot3(f, ray.direction);
-  const Vec3<R> toAxis = f + ray.direction * divide(b, a);
-  const R r2 = sphere.radius * sphere.radius;
-  const R f2 = dot3(f, f);
-  const R discriminant = r2 - dot3(toAxis, toAxis);
-  const R c = f2 - r2;
-  const R squares = f2 + r2;
-  const R doubt = squares * R(kSphereDoubt);
-  const MaskOf<R> passes = discriminant < -doubt;
-  const MaskOf<R> sized = squares > R(kLeastSquare) && squares < R(kMostSquare);
-  if (!anyLane(!(passes && sized))) return R(kInfinity);
-  const MaskOf<R> meets = discriminant > doubt && absolute(c) > doubt;
-  const MaskOf<R> sure = (passes || meets) && sized;
-  const R root = squareRoot(a * discriminant);
-  const R q = select(b < R(0.0f), b - root, b + root);
-  const R t0 = divide(c, q);
-  const R t1 = divide(q, a);
-  const R first = least(t1, t0);
-  const R second = greatest(t1, t0);
-  const R t = select(first >= ray.tmin, first, second);
-  const MaskOf<R> valid = meets && t >= ray.tmin;
-  R result = select(valid, t, R(kInfinity));
-  if (anyLane(!sure)) result = select(sure, result, intersectSphereInDouble(ray, sphere));
-  return result;
+  const SphereChord<R> chord = chordOf(ray, sphere);
+  const R t = select(chord.entry >= ray.tmin, chord.entry, chord.exit);
+  const MaskOf<R> valid = chord.meets && t >= ray.tmin;
+  return select(valid, t, R(kInfinity));
 }
 
 /// Kay and Kajiya 1986 slabs; near and far plane by the direction's sign, zero components by an

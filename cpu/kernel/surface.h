@@ -2,8 +2,7 @@
 
 // Twin of shaders/surface.glsl: the surface at a hit.
 
-#include "cpu/kernel/intersect.h"
-#include "cpu/kernel/scene_access.h"
+#include "cpu/kernel/geometry.h"
 
 TWINTRACE_KERNEL_BEGIN
 
@@ -18,8 +17,10 @@ struct Surface {
 
 /// 12 units of 2^-24: see shaders/surface.glsl.
 inline constexpr float kOffsetScale = 7.2e-7f;
-/// 4 units of 2^-24: see shaders/surface.glsl.
-inline constexpr float kPlaneOffsetScale = 2.4e-7f;
+/// 2.5 units of 2^-24: see shaders/surface.glsl.
+inline constexpr float kPlaneOffsetScale = 1.5e-7f;
+/// What still parts an origin from a plane's point that is all zeros.
+inline constexpr float kLeastOffset = 1e-30f;
 /// The report's fixed offset, in scene units.
 inline constexpr float kReportOffset = 1e-4f;
 
@@ -28,32 +29,14 @@ R largestCoordinate(const Vec3<R>& v) {
   return largestComponent(Vec3<R>(absolute(v.x), absolute(v.y), absolute(v.z)));
 }
 
-/// Outward and unit. From the ray instead of from the point at t, which of a small and far sphere may
-/// lie anywhere within it and beyond: the root is taken again in the wider number. +y without a hit.
+/// Outward and unit, at the hit that is closest to t: the point at t itself may lie anywhere in a small
+/// and far sphere and beyond it. +y without a hit.
 template <class R>
 Vec3<R> sphereNormal(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
-  using Wider = WiderOf<R>;
-  const Vec3<Wider> d = wider3(ray.direction);
-  const Vec3<Wider> f = wider3(ray.origin) - wider3(sphere.center);
-  const Wider radius = wider(sphere.radius);
-  const Wider a = (d.x * d.x + d.y * d.y) + d.z * d.z;
-  const Wider b = -((f.x * d.x + f.y * d.y) + f.z * d.z);
-  const Wider middle = b / a;
-  const Vec3<Wider> toAxis = f + d * middle;
-  const Wider r2 = radius * radius;
-  const Wider l2 = (toAxis.x * toAxis.x + toAxis.y * toAxis.y) + toAxis.z * toAxis.z;
-  const Wider squared = (r2 - l2) / a;
-  const Wider chord = rootOf(squared);
-  const R first = rounded<R>(middle - chord);
-  const R between = rounded<R>(middle);
-  const MaskOf<R> entering = first >= ray.tmin && t <= between;
-  const Wider along = chord * wider(select(entering, R(-1.0f), R(1.0f)));
-  const Vec3<R> unit(rounded<R>((toAxis.x + d.x * along) / radius),
-                     rounded<R>((toAxis.y + d.y * along) / radius),
-                     rounded<R>((toAxis.z + d.z * along) / radius));
-  const Wider zero(0.0f);
-  const MaskOf<R> meets = squared >= zero && radius > zero;
-  return select(meets, unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
+  const SphereChord<R> chord = chordOf(ray, sphere);
+  const MaskOf<R> entering = chord.entry >= ray.tmin && t - chord.entry <= chord.exit - t;
+  const Vec3<R> unit = chord.foot + ray.direction * select(entering, chord.entryStep, chord.exitStep);
+  return select(chord.meets, unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
 }
 
 template <class R>
@@ -62,6 +45,20 @@ Surface<R> sphereSurface(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
   const Vec3<R> position = sphere.center + outward * sphere.radius;
   const R offset = (largestCoordinate(sphere.center) + sphere.radius) * errorBound<R>(kOffsetScale);
   return {position, outward, offset};
+}
+
+/// The report's normal is that of the point at t, wherever it lies.
+template <class R>
+Surface<R> reportSphereSurface(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
+  const Vec3<R> p = pointAt(ray, t);
+  return {p, normalize3(p - sphere.center), R(kReportOffset)};
+}
+
+template <class R>
+Surface<R> chosenSphereSurface(const SceneView& scene, const Ray<R>& ray, R t,
+                               const Sphere<R>& sphere) {
+  if (scene.intersectorReport) return reportSphereSurface(ray, t, sphere);
+  return sphereSurface(ray, t, sphere);
 }
 
 /// How far the best face's plane is from being the one that was hit, and its normal.
@@ -157,16 +154,12 @@ Surface<R> chosenBoxSurface(const SceneView& scene, const Ray<R>& ray, R t, cons
 template <class R>
 Surface<R> orientedBoxSurface(const SceneView& scene, const Ray<R>& ray, R t,
                               const OrientedBox<R>& box) {
-  using Wider = WiderOf<R>;
   const Surface<R> local = chosenBoxSurface(scene, toLocalRay(ray, box), t, toLocalBox(box));
   const Vec3<R> normal = toWorldDirection(box, local.normal);
   const Vec3<R> p = pointAt(ray, t);
-  const Vec3<Wider> n = wider3(normal);
-  const Vec3<Wider> from = wider3(p) - wider3(box.center);
-  const Wider height = (from.x * n.x + from.y * n.y) + from.z * n.z;
-  const Wider squared = (n.x * n.x + n.y * n.y) + n.z * n.z;
-  const R face = dot3(local.normal * local.normal, box.halfSize);
-  const Vec3<R> position = p - normal * rounded<R>((height - wider(face)) / squared);
+  const Vec3<R> from = p - box.center;
+  const R beyond = dot3(from, normal) - dot3(local.normal * local.normal, box.halfSize);
+  const Vec3<R> position = p - normal * divide(beyond, dot3(normal, normal));
   const R reach = greatest(largestCoordinate(position), largestCoordinate(box.center));
   const R scaled = reach * errorBound<R>(kOffsetScale);
   const R offset = scene.intersectorReport ? R(kReportOffset) : scaled;
@@ -187,8 +180,10 @@ Vec3<R> broughtToPlane(const Vec3<R>& p, const Vec3<R>& point, const Vec3<R>& no
 template <class R>
 Surface<R> planeSurface(const Ray<R>& ray, R t, const Plane<R>& plane) {
   const Vec3<R> position = broughtToPlane(pointAt(ray, t), plane.point, plane.normal);
-  const R reach = greatest(largestCoordinate(position), largestCoordinate(plane.point));
-  return {position, plane.normal, reach * errorBound<R>(kPlaneOffsetScale)};
+  const Vec3<R> along = position * plane.normal;
+  const R rounding = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
+  const R offset = rounding * errorBound<R>(kPlaneOffsetScale) + R(kLeastOffset);
+  return {position, plane.normal, offset};
 }
 
 template <class R>
@@ -208,8 +203,8 @@ Surface<R> surfaceAt(const SceneView& scene, const Ray<R>& ray, const Hit<R>& hi
   if (scene.effectSphere) {
     const Mask here = hit.primitive < Int(index.sphereCount);
     if (anyLane(here)) {
-      const Sphere<R> sphere = fetchSphere<R>(scene, select(here, hit.primitive, Int(0)));
-      result = chosenSurface(here, sphereSurface(ray, hit.t, sphere), result);
+      const Sphere<R> sphere = visitedSphere<R>(scene, select(here, hit.primitive, Int(0)));
+      result = chosenSurface(here, chosenSphereSurface(scene, ray, hit.t, sphere), result);
     }
   }
   first += index.sphereCount;
@@ -217,7 +212,7 @@ Surface<R> surfaceAt(const SceneView& scene, const Ray<R>& ray, const Hit<R>& hi
     const Mask here =
         hit.primitive >= Int(first) && hit.primitive < Int(first + index.boxCount);
     if (anyLane(here)) {
-      const Box<R> box = fetchBox<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
+      const Box<R> box = visitedBox<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
       result = chosenSurface(here, chosenBoxSurface(scene, ray, hit.t, box), result);
     }
   }
@@ -227,7 +222,7 @@ Surface<R> surfaceAt(const SceneView& scene, const Ray<R>& ray, const Hit<R>& hi
         hit.primitive >= Int(first) && hit.primitive < Int(first + index.orientedBoxCount);
     if (anyLane(here)) {
       const OrientedBox<R> box =
-          fetchOrientedBox<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
+          visitedOrientedBox<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
       result = chosenSurface(here, orientedBoxSurface(scene, ray, hit.t, box), result);
     }
   }
@@ -236,7 +231,7 @@ Surface<R> surfaceAt(const SceneView& scene, const Ray<R>& ray, const Hit<R>& hi
     const Mask here =
         hit.primitive >= Int(first) && hit.primitive < Int(first + index.planeCount);
     if (anyLane(here)) {
-      const Plane<R> plane = fetchPlane<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
+      const Plane<R> plane = visitedPlane<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
       result = chosenSurface(here, planeSurface(ray, hit.t, plane), result);
     }
   }

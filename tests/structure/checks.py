@@ -71,6 +71,19 @@ def check_precise(root):
                                   f"{kind} {name} in {function.name} is not precise")
             yield from check_computed(root, path, text, start, function, floats, exact)
             yield from check_arguments(root, path, text, start, function, integers, constructors)
+            yield from check_branches(root, path, text, start, function, exact)
+
+
+def check_branches(root, path, text, start, function, exact):
+    """At most one branch that is chosen at run time returns a call: of several, Mesa drops `precise`,
+    which one precise result for all branches keeps."""
+    branch = re.compile(r"^ +(?:\} else )?if \(([^{]*)\) \{\n +return \w+\(", re.M)
+    returning = [match for match in branch.finditer(function.body)
+                 if not all(re.fullmatch(r"k[A-Z]\w*", n) for n in re.findall(r"[A-Za-z]\w*", match.group(1)))]
+    for match in returning[1:] if function.result not in exact else []:
+        yield located(root, path, text, start + match.start(),
+                      f"another branch of {function.name} returns a call, "
+                      "expected one precise result for all branches")
 
 
 def check_computed(root, path, text, start, function, floats, exact):

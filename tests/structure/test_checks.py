@@ -57,6 +57,11 @@ class Planted(unittest.TestCase):
         self.plant("shaders/math.glsl", "  precise bool steep", "  bool steep")
         self.assert_found("precise", "bool steep in arcTangent2")
 
+    def test_branches_that_return_calls(self):
+        self.plant("shaders/cases.glsl", "    result = chosenSphereSurface(", "    return chosenSphereSurface(")
+        self.plant("shaders/cases.glsl", "    result = planeSurface(", "    return planeSurface(")
+        self.assert_found("precise", "another branch of caseSurface returns a call")
+
     def test_return_that_computes(self):
         self.plant("shaders/ray.glsl",
                    "  precise vec3 result = ray.origin + ray.direction * t;\n  return result;",
@@ -70,23 +75,25 @@ class Planted(unittest.TestCase):
 
     def test_double_without_precise(self):
         name = "shaders/surface.glsl"
-        for kind, local in (("double", "chord"), ("dvec3", "toAxis")):
+        for kind, local in (("double", "height"), ("dvec3", "moved")):
             line = self.plant(name, f"  precise {kind} {local} =", f"  {kind} {local} =")
-            self.assert_found("precise", f"{name}:{line}: {kind} {local} in sphereNormal")
+            self.assert_found("precise", f"{name}:{line}: {kind} {local} in broughtToPlane")
 
     def test_doubles_that_compute_outside_a_local(self):
         name = "shaders/surface.glsl"
-        line = self.plant(name, "sqrt(squared)", "sqrt((r2 - l2) / a)")
-        self.assert_found("precise", f"{name}:{line}: an argument of sqrt in sphereNormal")
-        line = self.plant(name, "bool meets = squared >= 0.0f",
-                          "bool meets = true;\n  while (r2 - l2 < 0.0f) {\n  }")
-        self.assert_found("precise", f"{name}:{line + 1}: while in sphereNormal computes")
-        line = self.plant(name, "  precise vec3 axis =",
-                          "  if (beyond > height - squared) {\n  }\n  precise vec3 axis =")
-        self.assert_found("precise", f"{name}:{line}: if in orientedBoxSurface computes")
+        line = self.plant(name, "  precise vec3 result = vec3(float(moved.x)",
+                          "  while (0.0f > height * height) {\n  }\n"
+                          "  precise vec3 result = vec3(float(moved.x)")
+        self.assert_found("precise", f"{name}:{line}: while in broughtToPlane computes")
+        line = self.plant(name, "  precise dvec3 moved =",
+                          "  if (0.0f > height * height) {\n  }\n  precise dvec3 moved =")
+        self.assert_found("precise", f"{name}:{line}: if in broughtToPlane computes")
+        name = "shaders/triangle.glsl"
+        line = self.plant(name, "sqrt(squared)", "sqrt(x * x + y * y)")
+        self.assert_found("precise", f"{name}:{line}: an argument of sqrt in triangleNormal")
 
     def test_constructor_of_doubles_may_compute(self):
-        self.plant("shaders/surface.glsl", "dvec3(ray.direction)",
+        self.plant("shaders/intersect_robust.glsl", "dvec3(ray.direction)",
                    "dvec3(ray.direction * ray.direction)")
         self.plant("shaders/surface.glsl", "double(sphere.radius)",
                    "double(sphere.radius + sphere.radius)")
