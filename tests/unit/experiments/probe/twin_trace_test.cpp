@@ -9,7 +9,8 @@
 namespace twintrace::probe {
 namespace {
 
-/// The inputs and results that a trace tells for the function's own call; empty if it has none.
+/// The inputs and results that a trace tells for the call of a function with that very signature, by
+/// which explain hands it on to probe; empty if it has none.
 std::vector<std::uint32_t> toldWords(const ShaderFunction& function, const TraceProgram& program,
                                      const CallTrace& trace) {
   std::vector<std::uint32_t> told;
@@ -25,7 +26,7 @@ std::vector<std::uint32_t> toldWords(const ShaderFunction& function, const Trace
   }
   const std::size_t first = trace.words.empty() ? 0 : trace.words[0];
   const auto& called = program.functions[static_cast<std::size_t>(program.sites[first].function)];
-  if (trace.words.empty() || called.name != function.name) return {};
+  if (trace.words.empty() || signatureOf(called) != function.signature) return {};
   add(first, 1);
   add(trace.words[last], last + 1);
   return told;
