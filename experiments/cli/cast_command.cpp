@@ -58,23 +58,22 @@ class CastCommand {
   explicit CastCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app = program.add_subcommand(
-        "cast", "put rays before all engines and exact arithmetic, and judge the answers");
-    app->add_option("scene", scenePath_, "scene file, with --rays")->type_name("SCENE");
-    app->add_option("--rays", raysPath_, "rays into the scene")->type_name("RAYS.csv");
-    app->add_option("--cases", casesPath_, "tiny scenes with their rays")->type_name("CASES.csv");
-    app->add_option("--family", family_, "a family of hard rays, or all")->type_name("NAME|all");
-    app->add_option("--count", count_, "rays of a family, 20000 unless said")
-        ->check(CLI::Range(1u, 4000000000u));
-    app->add_option("--engine", engine_, oneOf(castEngineNames()) + "; jury unless said");
-    app->add_option("-o,--output", hitsPath_, "answers; of families those that disagree")
-        ->type_name("HITS.csv");
-    app->add_option("--list", listed_, "disagreements to print with hex floats");
-    app->add_option("--save-cases", savedPath_, "disagreements as cases, to be cast again")
-        ->type_name("FILE.csv");
-    addAnswerOptions(*app, answer_);
-    addRenderOptions(*app, given_);
-    return app;
+    CommandSyntax syntax(program, "cast",
+                         "put rays before all engines and exact arithmetic, and judge the answers");
+    syntax.option("scene", scenePath_, "scene file, with --rays").typeName("SCENE");
+    syntax.option("--rays", raysPath_, "rays into the scene").typeName("RAYS.csv");
+    syntax.option("--cases", casesPath_, "tiny scenes with their rays").typeName("CASES.csv");
+    syntax.option("--family", family_, "a family of hard rays, or all").typeName("NAME|all");
+    syntax.option("--count", count_, "rays of a family, 20000 unless said").range(1, 4000000000);
+    syntax.option("--engine", engine_, oneOf(castEngineNames()) + "; jury unless said");
+    syntax.option("-o,--output", hitsPath_, "answers; of families those that disagree")
+        .typeName("HITS.csv");
+    syntax.option("--list", listed_, "disagreements to print with hex floats");
+    syntax.option("--save-cases", savedPath_, "disagreements as cases, to be cast again")
+        .typeName("FILE.csv");
+    addAnswerOptions(syntax, answer_);
+    addRenderOptions(syntax, given_);
+    return syntax.app();
   }
 
   int run() {

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <vector>
 
 #include "experiments/cli/console.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace twintrace {
 

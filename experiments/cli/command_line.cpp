@@ -1,6 +1,7 @@
 #include "experiments/cli/command_line.h"
 
 #include <algorithm>
+#include <CLI/CLI.hpp>
 #include <new>
 #include <ostream>
 #include <sstream>
@@ -33,9 +34,9 @@ class Program {
             "twintrace") {
     app_.set_version_flag("--version", "twintrace " + buildInfo().version);
     app_.require_subcommand(1);
-    commands_ = {addRenderCommand(app_, console_), addCompareCommand(app_, console_),
-                 addCastCommand(app_, console_),   addMergeCommand(app_, console_),
-                 addPickCommand(app_, console_),   addProbeCommand(app_, console_),
+    commands_ = {addRenderCommand(app_, console_),  addCompareCommand(app_, console_),
+                 addCastCommand(app_, console_),    addMergeCommand(app_, console_),
+                 addPickCommand(app_, console_),    addProbeCommand(app_, console_),
                  addExplainCommand(app_, console_), addInfoCommand(app_, console_)};
     // Left-over words are judged here, with a suggestion.
     for (const Command& command : commands_) command.app->allow_extras();

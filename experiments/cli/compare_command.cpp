@@ -26,26 +26,26 @@ class CompareCommand {
   explicit CompareCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app = program.add_subcommand(
-        "compare", "render a scene in two ways, or read two pictures, and compare");
-    app->add_option("inputs", inputs_, "a scene file, or two pictures")
-        ->required()
-        ->type_name("SCENE | A.exr B.exr");
-    app->add_option("--a", listA_, "options of arm a; its backend is cpu unless said")
-        ->type_name("KEY=VAL,...");
-    app->add_option("--b", listB_, "options of arm b; its backend is gpu unless said")
-        ->type_name("KEY=VAL,...");
-    app->add_option("--stderr-a", errorsA_, "standard errors of picture A")->type_name("SA.exr");
-    app->add_option("--stderr-b", errorsB_, "standard errors of picture B")->type_name("SB.exr");
-    app->add_option("--out", directory_, "directory for pictures, maps and compare.json")
-        ->type_name("DIR");
-    app->add_option("--alpha", settings_.alpha, "false alarms of the tests, 0.001 unless said");
-    app->add_option("--bound", settings_.bound,
-                    "relative difference of means that counts as equal, 0.005 unless said");
-    app->add_option("--repeats", settings_.repeats, "timed runs of each arm; the fastest counts");
-    addAnswerOptions(*app, answer_);
-    addRenderOptions(*app, given_);
-    return app;
+    CommandSyntax syntax(program, "compare",
+                         "render a scene in two ways, or read two pictures, and compare");
+    syntax.option("inputs", inputs_, "a scene file, or two pictures")
+        .required()
+        .typeName("SCENE | A.exr B.exr");
+    syntax.option("--a", listA_, "options of arm a; its backend is cpu unless said")
+        .typeName("KEY=VAL,...");
+    syntax.option("--b", listB_, "options of arm b; its backend is gpu unless said")
+        .typeName("KEY=VAL,...");
+    syntax.option("--stderr-a", errorsA_, "standard errors of picture A").typeName("SA.exr");
+    syntax.option("--stderr-b", errorsB_, "standard errors of picture B").typeName("SB.exr");
+    syntax.option("--out", directory_, "directory for pictures, maps and compare.json")
+        .typeName("DIR");
+    syntax.option("--alpha", settings_.alpha, "false alarms of the tests, 0.001 unless said");
+    syntax.option("--bound", settings_.bound,
+                  "relative difference of means that counts as equal, 0.005 unless said");
+    syntax.option("--repeats", settings_.repeats, "timed runs of each arm; the fastest counts");
+    addAnswerOptions(syntax, answer_);
+    addRenderOptions(syntax, given_);
+    return syntax.app();
   }
 
   int run() {

@@ -42,20 +42,19 @@ class ExplainCommand {
   explicit ExplainCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app =
-        program.add_subcommand("explain", "say where and why a sample differs between two arms");
-    app->add_option("scene", scenePath_, "scene file")->required()->type_name("SCENE");
-    app->add_option("--pixel", pixel_, "column and row from the upper left, from 0")
-        ->required()
-        ->type_name("X,Y");
-    app->add_option("--sample", sample_, "index of the sample; the first that differs unless said");
-    app->add_option("--a", listA_, "options of arm a; its backend is cpu unless said")
-        ->type_name("KEY=VAL,...");
-    app->add_option("--b", listB_, "options of arm b; its backend is gpu unless said")
-        ->type_name("KEY=VAL,...");
-    addAnswerOptions(*app, answer_);
-    addRenderOptions(*app, given_);
-    return app;
+    CommandSyntax syntax(program, "explain", "say where and why a sample differs between two arms");
+    syntax.option("scene", scenePath_, "scene file").required().typeName("SCENE");
+    syntax.option("--pixel", pixel_, "column and row from the upper left, from 0")
+        .required()
+        .typeName("X,Y");
+    syntax.option("--sample", sample_, "index of the sample; the first that differs unless said");
+    syntax.option("--a", listA_, "options of arm a; its backend is cpu unless said")
+        .typeName("KEY=VAL,...");
+    syntax.option("--b", listB_, "options of arm b; its backend is gpu unless said")
+        .typeName("KEY=VAL,...");
+    addAnswerOptions(syntax, answer_);
+    addRenderOptions(syntax, given_);
+    return syntax.app();
   }
 
   int run() {

@@ -113,13 +113,12 @@ class InfoCommand {
   explicit InfoCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app =
-        program.add_subcommand("info", "describe program, machine and, if given, a scene");
-    app->add_option("scene", scenePath_, "scene file")->type_name("SCENE");
-    app->add_flag("--passport", passport_, "measure the arithmetic of the GL in use");
-    addAnswerOptions(*app, answer_);
-    addRenderOptions(*app, given_);
-    return app;
+    CommandSyntax syntax(program, "info", "describe program, machine and, if given, a scene");
+    syntax.option("scene", scenePath_, "scene file").typeName("SCENE");
+    syntax.flag("--passport", passport_, "measure the arithmetic of the GL in use");
+    addAnswerOptions(syntax, answer_);
+    addRenderOptions(syntax, given_);
+    return syntax.app();
   }
 
   int run() const {

@@ -8,6 +8,7 @@
 #include "common/film/image_io.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
+#include "experiments/cli/command_syntax.h"
 #include "experiments/outputs.h"
 
 namespace twintrace {
@@ -18,13 +19,13 @@ class MergeCommand {
   explicit MergeCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app = program.add_subcommand("merge", "add films of disjoint samples exactly");
-    app->add_option("films", films_, "films to add")->required()->type_name("A.film B.film");
-    app->add_option("-o,--output", output_, "picture or film, by its ending")
-        ->required()
-        ->type_name("OUT.exr|OUT.film");
-    app->add_flag("--quiet", quiet_, "no summary");
-    return app;
+    CommandSyntax syntax(program, "merge", "add films of disjoint samples exactly");
+    syntax.option("films", films_, "films to add").required().typeName("A.film B.film");
+    syntax.option("-o,--output", output_, "picture or film, by its ending")
+        .required()
+        .typeName("OUT.exr|OUT.film");
+    syntax.flag("--quiet", quiet_, "no summary");
+    return syntax.app();
   }
 
   int run() const {

@@ -35,14 +35,14 @@ class PickCommand {
   explicit PickCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app = program.add_subcommand("pick", "say what the centre of a pixel shows");
-    app->add_option("scene", scenePath_, "scene file")->required()->type_name("SCENE");
-    app->add_option("--pixel", pixel_, "column and row from the upper left, from 0")
-        ->required()
-        ->type_name("X,Y");
-    addAnswerOptions(*app, answer_);
-    addRenderOptions(*app, given_);
-    return app;
+    CommandSyntax syntax(program, "pick", "say what the centre of a pixel shows");
+    syntax.option("scene", scenePath_, "scene file").required().typeName("SCENE");
+    syntax.option("--pixel", pixel_, "column and row from the upper left, from 0")
+        .required()
+        .typeName("X,Y");
+    addAnswerOptions(syntax, answer_);
+    addRenderOptions(syntax, given_);
+    return syntax.app();
   }
 
   int run() const {

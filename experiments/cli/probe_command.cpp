@@ -30,22 +30,22 @@ using probe::ShaderFunction;
 /// The options of rendering that decide how a function is run alone.
 constexpr std::array kOptionsTaken = {"maths", "gl", "seed", "threads"};
 
-void addProbeOption(CLI::App& command, GivenOptions& given, const char* name,
+void addProbeOption(CommandSyntax& syntax, GivenOptions& given, const char* name,
                     const std::string& help) {
   const auto store = [&given, name](const std::string& value) {
     given.list.emplace_back(name, value);
   };
-  command.add_option_function<std::string>("--" + std::string(name), store, help)->take_last();
+  syntax.callback("--" + std::string(name), store, help).takeLast();
 }
 
-void addProbeOptions(CLI::App& command, GivenOptions& given) {
+void addProbeOptions(CommandSyntax& syntax, GivenOptions& given) {
   for (const char* name : kOptionsTaken) {
-    addProbeOption(command, given, name, findOption(name)->expected);
+    addProbeOption(syntax, given, name, findOption(name)->expected);
   }
   for (const char* name : probe::kSceneOptions) {
-    addProbeOption(command, given, name, "with --scene: " + findOption(name)->expected);
+    addProbeOption(syntax, given, name, "with --scene: " + findOption(name)->expected);
   }
-  addShaderOptions(command, given);
+  addShaderOptions(syntax, given);
 }
 
 const ShaderFunction& onlyOne(const std::vector<const ShaderFunction*>& functions) {
@@ -61,32 +61,36 @@ class ProbeCommand {
   explicit ProbeCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app = program.add_subcommand(
-        "probe", "run shader functions alone against their twins and the correctly rounded values");
-    app->add_option("functions", names_, "names or signatures, such as dot3; all if none is given")
-        ->type_name("FUNCTION");
-    app->add_option("--samples", samples_, "random inputs per function, beyond the special ones")
-        ->check(CLI::Range(std::size_t{1}, kMaxSamples))
-        ->capture_default_str();
-    app->add_option("--inputs", inputs_,
-                    "replay one record: the function's inputs in order, as numbers or bits")
-        ->type_name("HEX,...");
-    app->add_flag("--statements", statements_,
-                  "with --inputs: name the first statement whose value differs from the twin's");
-    app->add_option("--scene", scene_,
-                    "with --inputs: the scene that the function reads; a small one unless said")
-        ->type_name("SCENE");
-    app->add_option("--shader", shader_, "run the functions of this file instead")
-        ->type_name("FILE.glsl");
-    app->add_option("--reference", user_.reference,
-                    "with --shader: a function of this program or a C++ header; the file's own "
-                    "text in double unless said")
-        ->type_name("NAME|FILE.h");
-    app->add_option("--tolerance", user_.tolerance, "with --shader: ulp that count as agreement")
-        ->capture_default_str();
-    addProbeOptions(*app, given_);
-    addAnswerOptions(*app, answer_);
-    return app;
+    CommandSyntax syntax(
+        program, "probe",
+        "run shader functions alone against their twins and the correctly rounded values");
+    syntax.option("functions", names_, "names or signatures, such as dot3; all if none is given")
+        .typeName("FUNCTION");
+    syntax.option("--samples", samples_, "random inputs per function, beyond the special ones")
+        .range(1, kMaxSamples)
+        .showDefault();
+    syntax
+        .option("--inputs", inputs_,
+                "replay one record: the function's inputs in order, as numbers or bits")
+        .typeName("HEX,...");
+    syntax.flag("--statements", statements_,
+                "with --inputs: name the first statement whose value differs from the twin's");
+    syntax
+        .option("--scene", scene_,
+                "with --inputs: the scene that the function reads; a small one unless said")
+        .typeName("SCENE");
+    syntax.option("--shader", shader_, "run the functions of this file instead")
+        .typeName("FILE.glsl");
+    syntax
+        .option("--reference", user_.reference,
+                "with --shader: a function of this program or a C++ header; the file's own "
+                "text in double unless said")
+        .typeName("NAME|FILE.h");
+    syntax.option("--tolerance", user_.tolerance, "with --shader: ulp that count as agreement")
+        .showDefault();
+    addProbeOptions(syntax, given_);
+    addAnswerOptions(syntax, answer_);
+    return syntax.app();
   }
 
   int run() const {
@@ -124,7 +128,9 @@ class ProbeCommand {
     settings.seed = options.seed;
     const auto context = createContext(options.provider, options.threads);
     const auto trials = tryUserShader(*context, options, shader, settings);
-    Json json = {{"shader", shader_}, {"renderer", context->renderer()}, {"seed", options.seed},
+    Json json = {{"shader", shader_},
+                 {"renderer", context->renderer()},
+                 {"seed", options.seed},
                  {"functions", Json::array()}};
     std::string text;
     bool agrees = true;
@@ -146,7 +152,9 @@ class ProbeCommand {
     const ShaderLibrary library = shaderLibrary(options);
     const InterruptScope interrupt;
     const auto trials = tryAll(*context, library, functions, options, interrupt);
-    const auto differs = [](const FunctionTrial& t) { return t.verdict == probe::Verdict::differs; };
+    const auto differs = [](const FunctionTrial& t) {
+      return t.verdict == probe::Verdict::differs;
+    };
     const auto differing = std::ranges::count_if(trials, differs);
     answer(console_, answer_, toJson(*context, options, trials),
            trialsText(trials) + summary(trials, differing, *context));
@@ -159,14 +167,14 @@ class ProbeCommand {
                                     const std::vector<const ShaderFunction*>& functions,
                                     const RenderOptions& options,
                                     const InterruptScope& interrupt) const {
-    ProgressDisplay display(console_.err,
-                            ProgressDisplay::styleForStandardError(answer_.quiet));
+    ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
     std::vector<FunctionTrial> trials;
     for (const ShaderFunction* function : functions) {
       if (interrupt.interrupted()) break;
       trials.push_back(
           tryFunction(context, library, *function, {samples_, options.seed, options.maths}));
-      display.show({static_cast<double>(trials.size()) / static_cast<double>(functions.size()), 0, 0});
+      display.show(
+          {static_cast<double>(trials.size()) / static_cast<double>(functions.size()), 0, 0});
     }
     return trials;
   }
@@ -225,13 +233,12 @@ class ProbeCommand {
     const auto count = [&](probe::Verdict verdict) {
       return std::ranges::count(trials, verdict, &FunctionTrial::verdict);
     };
-    return fmt::format("\n{}: {} functions identical, {} differ, {} without a twin{}\n",
-                       context.renderer(), count(probe::Verdict::identical), differing,
-                       count(probe::Verdict::noTwin),
-                       count(probe::Verdict::notInNative) == 0
-                           ? ""
-                           : fmt::format(", {} not in native maths",
-                                         count(probe::Verdict::notInNative)));
+    return fmt::format(
+        "\n{}: {} functions identical, {} differ, {} without a twin{}\n", context.renderer(),
+        count(probe::Verdict::identical), differing, count(probe::Verdict::noTwin),
+        count(probe::Verdict::notInNative) == 0
+            ? ""
+            : fmt::format(", {} not in native maths", count(probe::Verdict::notInNative)));
   }
 
   Console console_;

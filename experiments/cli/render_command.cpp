@@ -23,16 +23,16 @@ class RenderCommand {
   explicit RenderCommand(const Console& console) : console_(console) {}
 
   CLI::App* addTo(CLI::App& program) {
-    CLI::App* app = program.add_subcommand("render", "render a scene with one back end");
-    app->add_option("scene", scenePath_, "scene file")->required()->type_name("SCENE");
-    app->add_option("-o,--output", exr_, "picture with variance and count; default NAME.exr")
-        ->type_name("FILE.exr");
-    app->add_option("--png", png_, "picture for display; default NAME.png if there is no -o")
-        ->type_name("FILE.png");
-    app->add_option("--film", film_, "exact sums, for merge")->type_name("FILE.film");
-    addAnswerOptions(*app, answer_);
-    addRenderOptions(*app, given_);
-    return app;
+    CommandSyntax syntax(program, "render", "render a scene with one back end");
+    syntax.option("scene", scenePath_, "scene file").required().typeName("SCENE");
+    syntax.option("-o,--output", exr_, "picture with variance and count; default NAME.exr")
+        .typeName("FILE.exr");
+    syntax.option("--png", png_, "picture for display; default NAME.png if there is no -o")
+        .typeName("FILE.png");
+    syntax.option("--film", film_, "exact sums, for merge").typeName("FILE.film");
+    addAnswerOptions(syntax, answer_);
+    addRenderOptions(syntax, given_);
+    return syntax.app();
   }
 
   int run() {

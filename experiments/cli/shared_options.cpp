@@ -51,35 +51,32 @@ bool GivenOptions::has(std::string_view name) const {
   return alone || ("," + armList).find("," + std::string(name) + "=") != std::string::npos;
 }
 
-void addRenderOptions(CLI::App& command, GivenOptions& given) {
+void addRenderOptions(CommandSyntax& syntax, GivenOptions& given) {
   for (const Option& option : renderOptionTable()) {
     const auto store = [&given, name = option.name](const std::string& value) {
       given.list.emplace_back(name, value);
     };
-    command.add_option_function<std::string>("--" + option.name, store, option.expected)
-        ->group("Rendering")
-        ->take_last();
+    syntax.callback("--" + option.name, store, option.expected).group("Rendering").takeLast();
   }
-  addShaderOptions(command, given);
+  addShaderOptions(syntax, given);
 }
 
-void addShaderOptions(CLI::App& command, GivenOptions& given) {
-  command
-      .add_option("--shader-dir", given.shaderDirectory,
-                  "read the shaders from this directory, not from the program")
-      ->group("Rendering");
-  command
-      .add_option("--override", given.overrides,
-                  "put a file in the place of a shader on the GPU; may be given several times")
-      ->type_name("shaders/X.glsl=FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group("Rendering");
+void addShaderOptions(CommandSyntax& syntax, GivenOptions& given) {
+  syntax
+      .option("--shader-dir", given.shaderDirectory,
+              "read the shaders from this directory, not from the program")
+      .group("Rendering");
+  syntax
+      .option("--override", given.overrides,
+              "put a file in the place of a shader on the GPU; may be given several times")
+      .typeName("shaders/X.glsl=FILE")
+      .repeatable()
+      .group("Rendering");
 }
 
-void addAnswerOptions(CLI::App& command, AnswerOptions& options) {
-  command.add_option("--json", options.json, "write the result as JSON, - for standard output");
-  command.add_flag("--quiet", options.quiet, "neither progress nor summary");
+void addAnswerOptions(CommandSyntax& syntax, AnswerOptions& options) {
+  syntax.option("--json", options.json, "write the result as JSON, - for standard output");
+  syntax.flag("--quiet", options.quiet, "neither progress nor summary");
 }
 
 RenderOptions layOptions(RenderOptions options, const GivenOptions& given) {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "common/trace/options.h"
+#include "experiments/cli/command_syntax.h"
 #include "experiments/cli/console.h"
 #include "experiments/job_control.h"
 
@@ -17,20 +17,20 @@ struct GivenOptions {
   std::vector<std::pair<std::string, std::string>> list;  ///< name and value
   std::string shaderDirectory;
   std::vector<std::string> overrides;  ///< as in `shaders/X.glsl=FILE`
-  std::string armList;  ///< `--a` or `--b` of compare, laid over `list`
+  std::string armList;                 ///< `--a` or `--b` of compare, laid over `list`
 
   bool has(std::string_view name) const;
   bool empty() const { return list.empty() && shaderDirectory.empty() && overrides.empty(); }
 };
 
 /// Adds `--name` for every option of renderOptionTable(), `--shader-dir` and `--override`.
-void addRenderOptions(CLI::App& command, GivenOptions& given);
+void addRenderOptions(CommandSyntax& syntax, GivenOptions& given);
 
 /// Adds `--shader-dir` and `--override` alone.
-void addShaderOptions(CLI::App& command, GivenOptions& given);
+void addShaderOptions(CommandSyntax& syntax, GivenOptions& given);
 
 /// Adds `--json` and `--quiet`.
-void addAnswerOptions(CLI::App& command, AnswerOptions& options);
+void addAnswerOptions(CommandSyntax& syntax, AnswerOptions& options);
 
 /// Lays the given options over a scene's.
 /// @throws UsageError as setOption does, for a shader directory that is none, and as
