@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants violations in a copy of the sources and sees each check report them.
 
-Usage: test_checks.py ROOT
+Usage: test_checks.py ROOT COMPILER
 """
 
 import pathlib
@@ -11,9 +11,11 @@ import tempfile
 import unittest
 
 from checks import CHECKS
+from run_headers import complaint, unshown
 from run_symbols import foreign_symbols
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
+COMPILER = [sys.argv.pop(1), "-std=c++20"]
 FOLDERS = ("common", "cpu", "gpu", "experiments", "shaders")
 
 
@@ -162,6 +164,16 @@ class Planted(unittest.TestCase):
     def test_header_without_pragma_once(self):
         self.plant("common/base/error.h", "#pragma once", "")
         self.assert_found("layers", "common/base/error.h:1: no #pragma once")
+
+    def test_header_that_needs_another_before_it(self):
+        self.plant("cpu/kernel_entry.h", "#include \"common/scene/flat_scene.h\"", "")
+        self.assertNotEqual(complaint(self.copy, COMPILER, "cpu/kernel_entry.h"), "")
+        self.assertEqual(complaint(ROOT, COMPILER, "cpu/kernel_entry.h"), "")
+
+    def test_header_that_no_file_includes_first(self):
+        self.assertNotIn("common/base/error.h", unshown(self.copy))
+        self.plant("common/base/error.cpp", "#include", "#include <string>\n#include")
+        self.assertIn("common/base/error.h", unshown(self.copy))
 
     def test_symbols_without_namespace(self):
         listing = ("0000 W twintrace::kernel::avx2::noise(int)\n0000 V DW.ref.__gxx_personality_v0\n"
