@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 
+#include "common/base/finite.h"
 #include "common/base/parallel_for.h"
 #include "cpu/embree_hull.h"
 #include "common/base/flush_denormals.h"
@@ -15,10 +16,6 @@ namespace {
 
 /// Rays per task: some 100 microseconds of work even in small scenes.
 constexpr std::size_t kGrain = 1024;
-
-bool isFinite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Whether the primitive tests are made for the ray: slabs drop NaN, as if that axis were always
 /// inside. A direction of zeros needs no test, since all its t are infinite or NaN, nor does an

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include "common/base/finite.h"
 #include "common/base/parallel_for.h"
 #include "cpu/exact/clarity.h"
 #include "cpu/exact/crossing.h"
@@ -31,10 +32,6 @@ glm::vec3 withoutDenormals(const glm::vec3& v) {
 CastRay withoutDenormals(const CastRay& ray) {
   return {withoutDenormals(ray.origin), withoutDenormals(ray.direction), withoutDenormal(ray.tmin),
           withoutDenormal(ray.tmax)};
-}
-
-bool isFinite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// Whether the ray can hit at all; false for NaN anywhere.

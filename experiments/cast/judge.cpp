@@ -5,15 +5,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "common/base/finite.h"
 #include "common/base/float_bits.h"
 #include "common/cast/case_set.h"
 
 namespace twintrace {
 namespace {
-
-bool isFinite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool isSound(const CastHit& answer, int primitiveCount) {
   if (answer.primitive < -1 || answer.primitive >= primitiveCount) return false;

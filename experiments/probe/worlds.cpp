@@ -170,32 +170,22 @@ World sceneWorld(const FlatScene& scene, const RenderOptions& options) {
 
 std::vector<World> worldsFor(const ShaderFunction& function) {
   std::vector<World> worlds;
-  const RenderOptions plain = plainOptions();
-  worlds.push_back(makeWorld("plain", plain));
-  if (function.needs.noise) {
-    RenderOptions options = plain;
-    options.noise = Noise::sine;
-    worlds.push_back(makeWorld("noise sine", options));
+  worlds.push_back(plainWorld());
+  const auto add = [&worlds](const std::string& name, auto member, auto value) {
+    RenderOptions options = plainOptions();
+    options.*member = value;
+    worlds.push_back(makeWorld(name, options));
+  };
+  const Needs& needs = function.needs;
+  if (needs.noise) add("noise sine", &RenderOptions::noise, Noise::sine);
+  if (needs.intersector) {
+    add("intersector report", &RenderOptions::intersector, Intersector::report);
   }
-  if (function.needs.intersector) {
-    RenderOptions options = plain;
-    options.intersector = Intersector::report;
-    worlds.push_back(makeWorld("intersector report", options));
-  }
-  if (function.needs.geometry) {
-    RenderOptions options = plain;
-    options.geometry = Geometry::literal;
-    worlds.push_back(makeWorld("geometry literal", options));
-  }
-  if (function.needs.integrator) {
-    for (const auto& [name, integrator] :
-         {std::pair{"integrator local", Integrator::local},
-          {"integrator whitted", Integrator::whitted},
-          {"integrator report", Integrator::report}}) {
-      RenderOptions options = plain;
-      options.integrator = integrator;
-      worlds.push_back(makeWorld(name, options));
-    }
+  if (needs.geometry) add("geometry literal", &RenderOptions::geometry, Geometry::literal);
+  if (needs.integrator) {
+    add("integrator local", &RenderOptions::integrator, Integrator::local);
+    add("integrator whitted", &RenderOptions::integrator, Integrator::whitted);
+    add("integrator report", &RenderOptions::integrator, Integrator::report);
   }
   return worlds;
 }
