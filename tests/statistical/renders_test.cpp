@@ -22,7 +22,8 @@ namespace {
 /// Chance that a sound test fails the calibration; seeds are fixed, so it does so always or never.
 constexpr double kCalibrationAlpha = 1e-6;
 
-// A sanitizer looks for faults, which the first pairs would show, and slows renders down hundredfold.
+// A sanitizer looks for faults, which the first pairs would show, and slows renders down
+// hundredfold.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int kPairs = 20;
 #else
@@ -59,13 +60,19 @@ BatchMeans renderBatches(const Scene& scene, const RenderOptions& options) {
   return batches;
 }
 
-Verdict verdictOf(const Scene& scene, const RenderOptions& a, const RenderOptions& b,
-                  double bound) {
-  const BatchMeans batchesA = renderBatches(scene, a);
-  const BatchMeans batchesB = renderBatches(scene, b);
-  const Equivalence equivalence = equivalenceTest(channelMeans(batchesA), channelMeans(batchesB),
-                                                  bound, kEquivalenceAlpha);
-  return unpairedVerdict(familyTest(batchesA, batchesB, kEquivalenceAlpha), equivalence);
+/// Compares the path tracer with one whose options are changed, at another seed.
+template <class Change>
+Verdict verdictOfChange(const std::string& name, int samplesPerBatch, Change change) {
+  const Scene scene = shippedScene(name);
+  const RenderOptions plain = optionsOf(scene, 64, samplesPerBatch);
+  RenderOptions changed = plain;
+  change(changed);
+  changed.seed = plain.seed + 1;
+  const BatchMeans a = renderBatches(scene, plain);
+  const BatchMeans b = renderBatches(scene, changed);
+  const Equivalence equivalence =
+      equivalenceTest(channelMeans(a), channelMeans(b), kEquivalenceBound, kEquivalenceAlpha);
+  return unpairedVerdict(familyTest(a, b, kEquivalenceAlpha), equivalence);
 }
 
 bool withinBound(const std::string& scene, int alarms, double alpha) {
@@ -95,8 +102,7 @@ void calibrate(const std::string& name, int samplesPerBatch) {
 
 }  // namespace
 
-TEST_CASE("familyTest keeps its false-alarm rate on renders of cornell",
-          "[statistical][renders]") {
+TEST_CASE("familyTest keeps its false-alarm rate on renders of cornell", "[statistical][renders]") {
   calibrate("cornell", 2);
 }
 
@@ -107,38 +113,29 @@ TEST_CASE("familyTest keeps its false-alarm rate on renders of roughness-row",
 
 // furnace-diffuse has noise at the ball's rim only, a mean well known after some samples.
 TEST_CASE("native and strict maths are equivalent on furnace-diffuse", "[statistical][renders]") {
-  const Scene scene = shippedScene("furnace-diffuse");
-  const RenderOptions strict = optionsOf(scene, 64, 4);
-  RenderOptions native = strict;
-  native.maths = Maths::native;
-  native.seed = strict.seed + 1;
-  CHECK(verdictOf(scene, strict, native, kEquivalenceBound) == Verdict::equivalent);
+  const auto native = [](RenderOptions& options) { options.maths = Maths::native; };
+  CHECK(verdictOfChange("furnace-diffuse", 4, native) == Verdict::equivalent);
 }
 
 // Measured: after these 8 million samples the mean of red, the noisiest channel, is known to 0.06 %
 // in one arm and to 0.1 % as the ratio of two, a fifth of the bound.
 TEST_CASE("native and strict maths are equivalent on open", "[statistical][renders]") {
-  const Scene scene = shippedScene("open");
-  const RenderOptions strict = optionsOf(scene, 64, 64);
-  RenderOptions native = strict;
-  native.maths = Maths::native;
-  native.seed = strict.seed + 1;
-  CHECK(verdictOf(scene, strict, native, kEquivalenceBound) == Verdict::equivalent);
-  RenderOptions precise = strict;
-  precise.precision = Precision::float64;
-  precise.seed = strict.seed + 2;
-  CHECK(verdictOf(scene, strict, precise, kEquivalenceBound) == Verdict::equivalent);
+  const auto native = [](RenderOptions& options) { options.maths = Maths::native; };
+  CHECK(verdictOfChange("open", 64, native) == Verdict::equivalent);
+}
+
+TEST_CASE("float and double are equivalent on open", "[statistical][renders]") {
+  const auto precise = [](RenderOptions& options) { options.precision = Precision::float64; };
+  CHECK(verdictOfChange("open", 64, precise) == Verdict::equivalent);
 }
 
 // The report's doubled cosine takes a third of the ball's radiance.
 TEST_CASE("path and report are different on furnace-diffuse", "[statistical][renders]") {
-  const Scene scene = shippedScene("furnace-diffuse");
-  const RenderOptions path = optionsOf(scene, 64, 4);
-  RenderOptions report = path;
-  report.integrator = Integrator::report;
-  report.intersector = Intersector::report;
-  report.seed = path.seed + 1;
-  CHECK(verdictOf(scene, path, report, kEquivalenceBound) == Verdict::different);
+  const auto report = [](RenderOptions& options) {
+    options.integrator = Integrator::report;
+    options.intersector = Intersector::report;
+  };
+  CHECK(verdictOfChange("furnace-diffuse", 4, report) == Verdict::different);
 }
 
 }  // namespace twintrace

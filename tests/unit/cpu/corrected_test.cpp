@@ -34,6 +34,10 @@ float refined(float x, int ulps) {
   return kernel::refinedRoot(x, perturbed(std::sqrt(kernel::rootMantissa(x)), ulps));
 }
 
+float anyFloat(std::mt19937& random) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+}
+
 std::string shown(float x) { return std::to_string(std::bit_cast<std::uint32_t>(x)); }
 
 }  // namespace
@@ -53,8 +57,8 @@ TEST_CASE("refinedQuotient is the processor's division for any operands and gues
   std::mt19937 random(1);
   std::size_t wrong = 0;
   for (int i = 0; i < 1000000; ++i) {
-    const float a = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
-    const float b = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    const float a = anyFloat(random);
+    const float b = anyFloat(random);
     for (const int ulps : kPerturbations) wrong += same(refined(a, b, ulps), a / b) ? 0 : 1;
   }
   CHECK(wrong == 0);
@@ -97,7 +101,7 @@ TEST_CASE("refinedRoot is the processor's root for any operands and guesses", "[
   std::mt19937 random(3);
   std::size_t wrong = 0;
   for (int i = 0; i < 1000000; ++i) {
-    const float x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    const float x = anyFloat(random);
     for (const int ulps : kPerturbations) wrong += same(refined(x, ulps), std::sqrt(x)) ? 0 : 1;
   }
   CHECK(wrong == 0);

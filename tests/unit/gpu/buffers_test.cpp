@@ -9,8 +9,6 @@ namespace twintrace {
 
 namespace {
 
-constexpr Provider kProviders[] = {Provider::osmesa, Provider::egl};
-
 // 0, -0, denormals, infinities, quiet and signalling NaN with payload, largest, all bits.
 constexpr std::array<glm::uvec4, 3> kPatterns = {
     glm::uvec4(0x00000000u, 0x80000000u, 0x00000001u, 0x807fffffu),
@@ -20,10 +18,8 @@ constexpr std::array<glm::uvec4, 3> kPatterns = {
 }  // namespace
 
 TEST_CASE("BufferTexture keeps every bit pattern", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
-    Program program(*context, Stage::compute,
+  inEachContext([](Context& context) {
+    Program program(context, Stage::compute,
                     sourceOf("layout(local_size_x = 1) in;\n"
                              "uniform usamplerBuffer texels;\n"
                              "layout(std430, binding = 0) buffer Out { uvec4 result[]; };\n"
@@ -31,9 +27,9 @@ TEST_CASE("BufferTexture keeps every bit pattern", "[gl]") {
                              "  int i = int(gl_GlobalInvocationID.x);\n"
                              "  result[i] = texelFetch(texels, i);\n"
                              "}\n"));
-    const BufferTexture texture(*context, kPatterns);
+    const BufferTexture texture(context, kPatterns);
     std::array<glm::uvec4, kPatterns.size()> result{};
-    const StorageBuffer output(*context, sizeof result);
+    const StorageBuffer output(context, sizeof result);
     texture.bind(2);
     output.bind(0);
     program.set("texels", 2);
@@ -42,28 +38,26 @@ TEST_CASE("BufferTexture keeps every bit pattern", "[gl]") {
     for (std::size_t i = 0; i < result.size(); ++i) {
       for (int c = 0; c < 4; ++c) CHECK(result[i][c] == kPatterns[i][c]);
     }
-  }
+  });
 }
 
 TEST_CASE("a picture keeps every bit pattern that a fragment program writes", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
-    Program program(*context, Stage::fragment,
+  inEachContext([](Context& context) {
+    Program program(context, Stage::fragment,
                     sourceOf("uniform usamplerBuffer texels;\n"
                              "out vec4 color;\n"
                              "void main() {\n"
                              "  color = uintBitsToFloat(texelFetch(texels, int(gl_FragCoord.x)));\n"
                              "}\n"));
-    const BufferTexture texture(*context, kPatterns);
+    const BufferTexture texture(context, kPatterns);
     texture.bind(0);
     program.set("texels", 0);
     const std::vector<float> pixels =
-        drawnPixels(*context, program, static_cast<int>(kPatterns.size()), 1);
+        drawnPixels(context, program, static_cast<int>(kPatterns.size()), 1);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       CHECK(std::bit_cast<std::uint32_t>(pixels[i]) == kPatterns[i / 4][static_cast<int>(i % 4)]);
     }
-  }
+  });
 }
 
 TEST_CASE("BufferTexture without texels holds one zero texel", "[gl]") {

@@ -20,14 +20,12 @@ float drawnConstant(Context& context, const std::string& value) {
 }  // namespace
 
 TEST_CASE("createContext gives OpenGL 4.5 or later and says what runs it", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
-    CHECK(context->version() >= "4.5");
-    CHECK_FALSE(context->renderer().empty());
-    CHECK_FALSE(context->vendor().empty());
-    CHECK_FALSE(context->source().empty());
-  }
+  inEachContext([](Context& context) {
+    CHECK(context.version() >= "4.5");
+    CHECK_FALSE(context.renderer().empty());
+    CHECK_FALSE(context.vendor().empty());
+    CHECK_FALSE(context.source().empty());
+  });
 }
 
 TEST_CASE("egl leaves software devices to the surfaceless platform", "[gl]") {
@@ -68,14 +66,12 @@ TEST_CASE("a context outlives another of the same provider", "[gl]") {
 }
 
 TEST_CASE("a context moves to another thread", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
+  inEachContext([](Context& context) {
     float pixel = 0;
-    std::thread([&] { pixel = drawnConstant(*context, "0.5"); }).join();
+    std::thread([&] { pixel = drawnConstant(context, "0.5"); }).join();
     CHECK(pixel == 0.5f);
-    CHECK(drawnConstant(*context, "0.25") == 0.25f);
-  }
+    CHECK(drawnConstant(context, "0.25") == 0.25f);
+  });
 }
 
 TEST_CASE("check names the GL error and what was going on", "[gl]") {

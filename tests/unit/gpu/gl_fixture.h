@@ -24,6 +24,14 @@ inline std::unique_ptr<Context> contextOrSkip(Provider provider) {
   }
 }
 
+/// Does an action in a context of each provider that is there.
+template <class Action>
+void inEachContext(Action action) {
+  for (const Provider provider : {Provider::osmesa, Provider::egl}) {
+    if (const auto context = contextOrSkip(provider)) action(*context);
+  }
+}
+
 /// A program text that needs nothing from the shader library.
 inline ShaderSource sourceOf(const std::string& text) {
   ShaderRequest request;

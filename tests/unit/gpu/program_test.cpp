@@ -5,19 +5,11 @@
 
 namespace twintrace {
 
-namespace {
-
-constexpr Provider kProviders[] = {Provider::osmesa, Provider::egl};
-
-}  // namespace
-
 TEST_CASE("a fragment program covers every pixel once", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
-    Program program(*context, Stage::fragment,
+  inEachContext([](Context& context) {
+    Program program(context, Stage::fragment,
                     sourceOf("out vec4 color;\nvoid main() { color = gl_FragCoord; }\n"));
-    const std::vector<float> pixels = drawnPixels(*context, program, 5, 3);
+    const std::vector<float> pixels = drawnPixels(context, program, 5, 3);
     for (int y = 0; y < 3; ++y) {
       for (int x = 0; x < 5; ++x) {
         const std::size_t at = static_cast<std::size_t>(4 * (5 * y + x));
@@ -25,14 +17,12 @@ TEST_CASE("a fragment program covers every pixel once", "[gl]") {
         CHECK(pixels[at + 1] == static_cast<float>(y) + 0.5f);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("a compute program reads and writes storage buffers", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
-    Program program(*context, Stage::compute,
+  inEachContext([](Context& context) {
+    Program program(context, Stage::compute,
                     sourceOf("layout(local_size_x = 4) in;\n"
                              "layout(std430, binding = 0) buffer In { uint given[]; };\n"
                              "layout(std430, binding = 1) buffer Out { uint result[]; };\n"
@@ -43,15 +33,15 @@ TEST_CASE("a compute program reads and writes storage buffers", "[gl]") {
                              "}\n"));
     const std::array<std::uint32_t, 8> given = {0, 1, 2, 3, 4, 5, 6, 0xffffffffu};
     std::array<std::uint32_t, 8> result{};
-    const StorageBuffer input(*context, std::as_bytes(std::span(given)));
-    const StorageBuffer output(*context, sizeof result);
+    const StorageBuffer input(context, std::as_bytes(std::span(given)));
+    const StorageBuffer output(context, sizeof result);
     input.bind(0);
     output.bind(1);
     program.set("factor", 3u);
     program.dispatch({2, 1, 1});
     output.read(std::as_writable_bytes(std::span(result)));
     for (std::size_t i = 0; i < given.size(); ++i) CHECK(result[i] == 3u * given[i]);
-  }
+  });
 }
 
 TEST_CASE("uniforms of each type arrive, and unknown ones are ignored", "[gl]") {
@@ -82,9 +72,7 @@ TEST_CASE("a uniform set with the wrong type is found by the next draw", "[gl]")
 }
 
 TEST_CASE("a GLSL error names the shader file and line", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
+  inEachContext([](Context& context) {
     ShaderRequest request;
     request.main = "main.glsl";
     request.prelude = "const int kCount = 1;\n";
@@ -92,12 +80,12 @@ TEST_CASE("a GLSL error names the shader file and line", "[gl]") {
     const ShaderLibrary library({},
                                 {{"shared/layout.glsl", {"\n\nint x = undeclaredName;\n", ""}}});
     const std::string message = messageOf<DeviceError>(
-        [&] { Program(*context, Stage::compute, assembleShader(library, request)); });
+        [&] { Program(context, Stage::compute, assembleShader(library, request)); });
     INFO(message);
     CHECK(message.find("the driver rejects the compute shader:\nshaders/shared/layout.glsl:3:") ==
           0);
     CHECK(message.find("undeclaredName") != std::string::npos);
-  }
+  });
 }
 
 TEST_CASE("a GLSL error after an include names the including file's own line", "[gl]") {

@@ -8,8 +8,6 @@ namespace twintrace {
 
 namespace {
 
-constexpr Provider kProviders[] = {Provider::osmesa, Provider::egl};
-
 /// A drawing that takes some milliseconds on a CPU core.
 class SlowDrawing {
  public:
@@ -42,21 +40,18 @@ class SlowDrawing {
 }  // namespace
 
 TEST_CASE("TimerQuery gives no more than the wall time, or nothing", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context) continue;
-    SlowDrawing drawing(*context);
+  inEachContext([](Context& context) {
+    SlowDrawing drawing(context);
     const TimerQuery& timer = drawing.time();
     CHECK(timer.wallSeconds() > 0.0);
     CHECK(timer.deviceSeconds().value_or(0.0) <= timer.wallSeconds());
-  }
+  });
 }
 
 TEST_CASE("TimerQuery believes the timer of llvmpipe", "[gl]") {
-  for (const Provider provider : kProviders) {
-    const auto context = contextOrSkip(provider);
-    if (!context || context->renderer().find("llvmpipe") == std::string::npos) continue;
-    SlowDrawing drawing(*context);
+  inEachContext([](Context& context) {
+    if (context.renderer().find("llvmpipe") == std::string::npos) return;
+    SlowDrawing drawing(context);
     // A busy machine may take the processor away between the two clocks, and the first drawing
     // includes compiling; one good measurement shows that the units are right.
     bool believed = false;
@@ -64,7 +59,7 @@ TEST_CASE("TimerQuery believes the timer of llvmpipe", "[gl]") {
       believed = drawing.time().deviceSeconds().has_value();
     }
     CHECK(believed);
-  }
+  });
 }
 
 }  // namespace twintrace
