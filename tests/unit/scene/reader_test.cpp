@@ -10,7 +10,7 @@ namespace twintrace {
 namespace {
 
 std::filesystem::path fixture(const std::string& name) {
-  return std::filesystem::path(__FILE__).parent_path() / "fixtures" / name;
+  return std::filesystem::path(TWINTRACE_TEST_DATA) / "scene/fixtures" / name;
 }
 
 /// What reading a fixture throws, with the folder taken out of the message.
