@@ -36,9 +36,13 @@ float pdfPowerHemisphere(float exponent, float cosTheta) {
   return result;
 }
 
+// A direction closer to the surface, by the square of its cosine, may be turned below it by rounding.
+const float kLeastCosineSquared = 3.637978807091713e-12f;
+
 // Direction about +z with density cos / pi: exponent 1, where the power is a square root.
 vec3 sampleCosineHemisphere(float u, float v) {
-  precise vec3 result = polarDirection(squareRoot(u), v);
+  precise float squared = greatest(u, kLeastCosineSquared);
+  precise vec3 result = polarDirection(squareRoot(squared), v);
   return result;
 }
 

@@ -39,10 +39,13 @@ R pdfPowerHemisphere(R exponent, R cosTheta) {
   return select(cosTheta > R(0.0f), density, R(0.0f));
 }
 
+/// A direction closer to the surface, by the square of its cosine, may be turned below it by rounding.
+inline constexpr float kLeastCosineSquared = 0x1p-38f;
+
 /// Direction about +z with density cos / pi.
 template <class R>
 Vec3<R> sampleCosineHemisphere(R u, R v) {
-  return polarDirection(squareRoot(u), v);
+  return polarDirection(squareRoot(greatest(u, R(kLeastCosineSquared))), v);
 }
 
 template <class R>
