@@ -15,6 +15,7 @@
 #include "experiments/cli/progress_display.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/probe/replay_command.h"
+#include "experiments/probe/inputs.h"
 #include "experiments/probe/report.h"
 #include "experiments/probe/statement_report.h"
 #include "experiments/probe/user_trial.h"
@@ -186,6 +187,7 @@ class ProbeCommand {
                                    function.signature));
     }
     const probe::World world = replayWorld(options);
+    probe::checkInputs(function, world, words);
     const auto context = createContext(options.provider, options.threads);
     const ShaderLibrary library = shaderLibrary(options);
     const probe::Record record = replay(*context, library, function, world, words);

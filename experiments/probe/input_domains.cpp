@@ -1,5 +1,7 @@
 #include "experiments/probe/input_domains.h"
 
+#include <algorithm>
+
 #include <cmath>
 #include <limits>
 
@@ -128,9 +130,6 @@ int anyInteger(Source& from) {
   return from.special() ? kSpecial[from.bits() % 6] : static_cast<int>(from.bits());
 }
 
-namespace {
-}  // namespace
-
 std::uint32_t anyNatural(Source& from) {
   constexpr std::uint32_t kSpecial[] = {0u, 1u, 255u, 256u, 0x7fffffffu, 0x80000000u, 0xffffffffu};
   return from.special() ? kSpecial[from.bits() % 7] : from.bits();
@@ -138,28 +137,44 @@ std::uint32_t anyNatural(Source& from) {
 
 namespace {
 
-auto between(int low, int high) {
-  return [=](Source& from) { return from.integer(low, high); };
+IntDomain between(int low, int high) {
+  return {[=](Source& from) { return from.integer(low, high); }, {}};
+}
+IntDomain within(const std::function<IntRange(const World&)>& bounds) {
+  const auto draw = [=](Source& from) {
+    const IntRange range = bounds(from.world);
+    return from.integer(range.least, range.most);
+  };
+  return {draw, bounds};
 }
 /// Below one of the scene's counts.
-auto below(int SceneIndex::*count) {
-  return [=](Source& from) { return from.integer(0, from.world.scene.index.*count - 1); };
+IntDomain below(int SceneIndex::*count) {
+  return within([=](const World& world) { return IntRange{0, world.scene.index.*count - 1}; });
 }
-int validPrimitive(Source& from) {
-  return from.integer(0, from.world.scene.index.primitiveCount() - 1);
-}
+IntRange primitives(const World& world) { return {0, world.scene.index.primitiveCount() - 1}; }
+IntRange texels(const World& world) { return {0, static_cast<int>(world.scene.texels.size()) - 1}; }
+
 int anyPrimitive(Source& from) {
-  return from.integer(0, 7) == 0 ? layout::kNoPrimitive : validPrimitive(from);
-}
-int anyTexel(Source& from) {
-  return from.integer(0, static_cast<int>(from.world.scene.texels.size()) - 1);
+  const IntRange range = primitives(from.world);
+  return from.integer(0, 7) == 0 ? layout::kNoPrimitive : from.integer(range.least, range.most);
 }
 
 /// One of the first of the world's cases, so that a few more lie behind it.
-int caseTexel(Source& from) {
-  const int cases = static_cast<int>(from.world.scene.texels.size()) -
-                    kWorldCases * layout::kCaseTexels;
-  return cases + from.integer(0, kWorldCases / 3) * layout::kCaseTexels;
+IntDomain caseTexel() {
+  const auto first = [](const World& world) {
+    return static_cast<int>(world.scene.texels.size()) - kWorldCases * layout::kCaseTexels;
+  };
+  return {[=](Source& from) {
+            return first(from.world) + from.integer(0, kWorldCases / 3) * layout::kCaseTexels;
+          },
+          [=](const World& world) {
+            return IntRange{std::max(first(world), 0),
+                            first(world) + kWorldCases / 3 * layout::kCaseTexels};
+          }};
+}
+/// How many cases to read from there on.
+IntDomain caseCount() {
+  return within([](const World&) { return IntRange{0, kWorldCases / 3}; });
 }
 
 }  // namespace
@@ -237,8 +252,8 @@ const Domains<Vector>& vectorDomains() {
   return domains;
 }
 
-const Domains<int>& intDomains() {
-  static const Domains<int> domains = {
+const std::map<std::string, IntDomain, std::less<>>& intDomains() {
+  static const std::map<std::string, IntDomain, std::less<>> domains = {
       {"sinCosReduced.quarters", between(-8, 8)},
       {"wrapColumn.width", between(1, 64)},
       {"wrapColumn.x", between(-64, 128)},
@@ -253,18 +268,18 @@ const Domains<int>& intDomains() {
       {"fetchPlane.index", below(&SceneIndex::planeCount)},
       {"visitedPlane.index", below(&SceneIndex::planeCount)},
       {"fetchLight.index", below(&SceneIndex::lightCount)},
-      {"fetchTexel.index", anyTexel},
-      {"texel", caseTexel},
-      {"firstTexel", caseTexel},
-      {"count", between(0, kWorldCases / 3)},
-      {"surfaceInView.hit.primitive", validPrimitive},
-      {"bounceInView.hit.primitive", validPrimitive},
+      {"fetchTexel.index", within(texels)},
+      {"texel", caseTexel()},
+      {"firstTexel", caseTexel()},
+      {"count", caseCount()},
+      {"surfaceInView.hit.primitive", within(primitives)},
+      {"bounceInView.hit.primitive", within(primitives)},
       {"powerOfTwo.exponent", between(-126, 127)},
       {"scaledByPower.exponent", between(-252, 254)},
       {"room", between(-94, 126)},
       {"shift", between(-221, 252)},
-      {"fetchPrimitiveInfo.primitive", validPrimitive},
-      {"primitive", anyPrimitive},
+      {"fetchPrimitiveInfo.primitive", within(primitives)},
+      {"primitive", {anyPrimitive, {}}},
       {"material", below(&SceneIndex::materialCount)},
       {"kind", between(layout::kLightPoint, layout::kLightSun)},
       {"lobe", between(layout::kLobeNone, layout::kLobePhong)},

@@ -40,10 +40,22 @@ using Vector = std::array<float, 3>;
 template <class Value>
 using Domains = std::map<std::string, std::function<Value(Source&)>, std::less<>>;
 
+struct IntRange {
+  int least = 0;
+  int most = 0;
+};
+
+/// An int's domain. One that says where to read in a scene has bounds, beyond which no function may be
+/// called; for others any value will do, if it is not one that is drawn.
+struct IntDomain {
+  std::function<int(Source&)> draw;
+  std::function<IntRange(const World&)> bounds;
+};
+
 /// Domains by "function.path", "Struct.member" or the name alone.
 const Domains<float>& floatDomains();
 const Domains<Vector>& vectorDomains();
-const Domains<int>& intDomains();
+const std::map<std::string, IntDomain, std::less<>>& intDomains();
 
 /// Whatever a type allows.
 float anyFloat(Source& from);

@@ -5,6 +5,9 @@
 // take one branch, its name decides what is drawn: first "function.path", then "Struct.member", then
 // the name alone, then whatever its type allows.
 
+#include <fmt/format.h>
+
+#include "common/base/error.h"
 #include "common/base/flush_denormals.h"
 #include "experiments/probe/input_domains.h"
 
@@ -24,9 +27,9 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 /// What the names of the slot say to draw from, or nullptr.
-template <class Value>
-const std::function<Value(Source&)>* domainOf(const Domains<Value>& domains,
-                                              const ShaderFunction& function, const Slot& slot) {
+template <class Domain>
+const Domain* domainOf(const std::map<std::string, Domain, std::less<>>& domains,
+                       const ShaderFunction& function, const Slot& slot) {
   const std::string_view path = slot.path;
   const std::size_t dot = path.rfind('.');
   const std::string name(dot == std::string_view::npos ? path : path.substr(dot + 1));
@@ -43,6 +46,11 @@ Value draw(const Domains<Value>& domains, const ShaderFunction& function, const 
            Source& from, Value (*otherwise)(Source&)) {
   const auto* domain = domainOf(domains, function, slot);
   return domain != nullptr ? (*domain)(from) : otherwise(from);
+}
+
+int drawInteger(const ShaderFunction& function, const Slot& slot, Source& from) {
+  const IntDomain* domain = domainOf(intDomains(), function, slot);
+  return domain != nullptr ? domain->draw(from) : anyInteger(from);
 }
 
 bool isRayInverse(const Slot& slot) {
@@ -72,7 +80,7 @@ void drawSlot(const ShaderFunction& function, const Slot& slot, Source& from, st
       }
       return;
     case Kind::integer:
-      words[0] = static_cast<std::uint32_t>(draw(intDomains(), function, slot, from, &anyInteger));
+      words[0] = static_cast<std::uint32_t>(drawInteger(function, slot, from));
       return;
     case Kind::natural:
       for (int i = 0; i < slot.size; ++i) words[i] = anyNatural(from);
@@ -116,6 +124,26 @@ std::vector<std::uint32_t> drawInputs(const ShaderFunction& function, const Worl
     }
   }
   return inputs;
+}
+
+void checkInputs(const ShaderFunction& function, const World& world,
+                 std::span<const std::uint32_t> record) {
+  std::size_t at = 0;
+  for (const Slot& slot : function.inputs) {
+    const IntDomain* domain =
+        slot.kind == Kind::integer ? domainOf(intDomains(), function, slot) : nullptr;
+    if (domain != nullptr && domain->bounds) {
+      const IntRange range = domain->bounds(world);
+      const int value = static_cast<int>(record[at]);
+      if (value < range.least || value > range.most) {
+        throw UsageError(fmt::format("inputs: {}: found {}, expected {}", slot.path, value,
+                                     range.least > range.most
+                                         ? std::string("a scene that has some")
+                                         : fmt::format("{} to {}", range.least, range.most)));
+      }
+    }
+    at += static_cast<std::size_t>(slot.size);
+  }
 }
 
 std::vector<std::uint32_t> drawNear(const ShaderFunction& function,

@@ -17,6 +17,10 @@ inline constexpr std::size_t kSpecialCount = 4096;
 std::vector<std::uint32_t> drawInputs(const ShaderFunction& function, const World& world,
                                       std::size_t randomCount, std::uint64_t seed);
 
+/// @throws UsageError if an input says to read where the world has nothing.
+void checkInputs(const ShaderFunction& function, const World& world,
+                 std::span<const std::uint32_t> record);
+
 /// Records around a given one: its real words moved by up to 64 ulp each, all others as they are.
 std::vector<std::uint32_t> drawNear(const ShaderFunction& function,
                                     std::span<const std::uint32_t> record, std::size_t count,

@@ -1,5 +1,6 @@
 #include "experiments/probe/trial.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -179,6 +180,16 @@ TEST_CASE("parseInputs names what is missing or wrong", "[probe]") {
   CHECK_THROWS_WITH(parseInputs(function, "1,2,3,"), Contains("b: found ''"));
   CHECK_THROWS_WITH(parseInputs(function, "1,two,3,4"), Contains("a.y: found 'two'"));
   CHECK_THROWS_WITH(parseInputs(function, "1,2,3,0x1ffffffff"), Contains("b: found"));
+}
+
+TEST_CASE("checkInputs keeps functions from reading beyond the world", "[probe]") {
+  const World world = plainWorld();
+  const ShaderFunction& function = named("fetchSphere(int)");
+  const auto check = [&](std::uint32_t index) { checkInputs(function, world, std::array{index}); };
+  CHECK_NOTHROW(check(0u));
+  CHECK_THROWS_WITH(check(1000000000u), Contains("index: found 1000000000, expected 0 to 1"));
+  CHECK_THROWS_WITH(check(0xffffffffu), Contains("index: found -1"));
+  CHECK_NOTHROW(checkInputs(named("powerOfTwo(int)"), world, std::array{0x7fffffffu}));
 }
 
 TEST_CASE("replay gives all answers to one record", "[probe][gl]") {
