@@ -28,20 +28,19 @@ SphereChord chordOf(Ray ray, Sphere sphere) {
   precise vec3 d = ray.direction;
   precise vec3 f = ray.origin - sphere.center;
   precise float a = dot3(d, d);
-  precise float along = -dot3(f, d);
-  precise float t = divide(along, a);
+  precise float inverse = divide(1.0f, a);
+  precise float t = -dot3(f, d) * inverse;
   precise dvec3 from = dvec3(ray.origin) - dvec3(sphere.center);
-  precise double scale = double(1.0f) / double(sphere.radius);
+  // By four, which even for the largest radius leaves a quotient that isn't denormal.
+  precise double scale = double(divide(4.0f, sphere.radius)) * double(0.25f);
   precise dvec3 near = (from + dvec3(d) * double(t)) * scale;
   precise vec3 foot = vec3(float(near.x), float(near.y), float(near.z));
   precise float b = -dot3(foot, d);
   precise float c = dot3(foot, foot) - 1.0f;
   precise float squared = b * b - a * c;
   precise float root = squareRoot(squared);
-  precise float less = b - root;
-  precise float more = b + root;
-  precise float entryStep = divide(less, a);
-  precise float exitStep = divide(more, a);
+  precise float entryStep = (b - root) * inverse;
+  precise float exitStep = (b + root) * inverse;
   precise float entry = t + entryStep * sphere.radius;
   precise float exit = t + exitStep * sphere.radius;
   precise bool meets = squared >= 0.0f;

@@ -32,23 +32,25 @@ SphereChord<R> chordOf(const Ray<R>& ray, const Sphere<R>& sphere) {
   const Vec3<R>& d = ray.direction;
   const Vec3<R> f = ray.origin - sphere.center;
   const R a = dot3(d, d);
-  const R t = divide(-dot3(f, d), a);
+  const R inverse = divide(R(1.0f), a);
+  const R t = -dot3(f, d) * inverse;
   const Vec3<WiderOf<R>> from = wider3(ray.origin) - wider3(sphere.center);
-  const WiderOf<R> scale = WiderOf<R>(1.0f) / wider(sphere.radius);
+  // By four, which even for the largest radius leaves a quotient that isn't denormal.
+  const WiderOf<R> scale = wider(divide(R(4.0f), sphere.radius)) * WiderOf<R>(0.25f);
   const Vec3<WiderOf<R>> near = (from + wider3(d) * wider(t)) * scale;
   const Vec3<R> foot(rounded<R>(near.x), rounded<R>(near.y), rounded<R>(near.z));
   const R b = -dot3(foot, d);
   const R c = dot3(foot, foot) - R(1.0f);
   const R squared = b * b - a * c;
+  const MaskOf<R> meets = squared >= R(0.0f);
+  // Most rays miss.
+  if (!anyLane(meets)) return {foot, R(0.0f), R(0.0f), R(0.0f), R(0.0f), meets};
   const R root = squareRoot(squared);
-  const R entryStep = divide(b - root, a);
-  const R exitStep = divide(b + root, a);
-  return {foot,
-          entryStep,
-          exitStep,
-          t + entryStep * sphere.radius,
-          t + exitStep * sphere.radius,
-          squared >= R(0.0f)};
+  const R entryStep = (b - root) * inverse;
+  const R exitStep = (b + root) * inverse;
+  const R entry = t + entryStep * sphere.radius;
+  const R exit = t + exitStep * sphere.radius;
+  return {foot, entryStep, exitStep, entry, exit, meets};
 }
 
 template <class R>
