@@ -9,22 +9,30 @@
 // 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 const float kSlabWidening = 7.2e-7f;
 
-// Where the line of a ray meets a sphere. `foot` is the line's point at about the least distance from
-// the center, from there and in radii, as are the steps along the direction to both hits.
-struct SphereChord {
+// The line of a ray as a sphere sees it. `foot` is the line's point at about the least distance from the
+// center, from there and in radii.
+struct SphereLine {
   vec3 foot;
+  float t;        // the foot's distance from the ray's origin
+  float ahead;    // from the foot along the direction to the nearest point, times the direction's square
+  float inverse;  // 1 / the direction's square
+  float squared;  // of half the chord, likewise; below 0 for a line that misses
+};
+
+// Where the line meets the sphere: steps from the foot along the direction, in radii, and the hits'
+// distances from the ray's origin.
+struct SphereChord {
   float entryStep;
   float exitStep;
-  float entry;  // both hits' distances from the ray's origin
+  float entry;
   float exit;
-  bool meets;
 };
 
 // Haines, Guenther and Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection" (Ray
 // Tracing Gems, ch. 7), who take the discriminant from the line's point nearest to the center. Changed:
 // that point need only be near, but is exact, from products in double; the rest is a unit sphere seen
 // from close by, for which float is enough, and no length is squared before it is in radii.
-SphereChord chordOf(Ray ray, Sphere sphere) {
+SphereLine lineThrough(Ray ray, Sphere sphere) {
   precise vec3 d = ray.direction;
   precise vec3 f = ray.origin - sphere.center;
   precise float a = dot3(d, d);
@@ -35,23 +43,28 @@ SphereChord chordOf(Ray ray, Sphere sphere) {
   precise double scale = double(divide(4.0f, sphere.radius)) * double(0.25f);
   precise dvec3 near = (from + dvec3(d) * double(t)) * scale;
   precise vec3 foot = vec3(float(near.x), float(near.y), float(near.z));
-  precise float b = -dot3(foot, d);
-  precise float c = dot3(foot, foot) - 1.0f;
-  precise float squared = b * b - a * c;
-  precise float root = squareRoot(squared);
-  precise float entryStep = (b - root) * inverse;
-  precise float exitStep = (b + root) * inverse;
-  precise float entry = t + entryStep * sphere.radius;
-  precise float exit = t + exitStep * sphere.radius;
-  precise bool meets = squared >= 0.0f;
-  precise SphereChord result = SphereChord(foot, entryStep, exitStep, entry, exit, meets);
+  precise float ahead = -dot3(foot, d);
+  precise float beyond = dot3(foot, foot) - 1.0f;
+  precise float squared = ahead * ahead - a * beyond;
+  precise SphereLine result = SphereLine(foot, t, ahead, inverse, squared);
+  return result;
+}
+
+SphereChord chordOf(SphereLine line, float radius) {
+  precise float root = squareRoot(line.squared);
+  precise float entryStep = (line.ahead - root) * line.inverse;
+  precise float exitStep = (line.ahead + root) * line.inverse;
+  precise float entry = line.t + entryStep * radius;
+  precise float exit = line.t + exitStep * radius;
+  precise SphereChord result = SphereChord(entryStep, exitStep, entry, exit);
   return result;
 }
 
 float intersectSphereRobust(Ray ray, Sphere sphere) {
-  precise SphereChord chord = chordOf(ray, sphere);
+  precise SphereLine line = lineThrough(ray, sphere);
+  precise SphereChord chord = chordOf(line, sphere.radius);
   precise float t = select(chord.entry >= ray.tmin, chord.entry, chord.exit);
-  precise bool valid = chord.meets && t >= ray.tmin;
+  precise bool valid = line.squared >= 0.0f && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }

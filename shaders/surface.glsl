@@ -32,13 +32,14 @@ float largestCoordinate(vec3 v) {
 // Outward and unit, at the hit that is closest to t: the point at t itself may lie anywhere in a small and
 // far sphere and beyond it. +y without a hit.
 vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
-  precise SphereChord chord = chordOf(ray, sphere);
+  precise SphereLine line = lineThrough(ray, sphere);
+  precise SphereChord chord = chordOf(line, sphere.radius);
   precise float sinceEntry = t - chord.entry;
   precise float untilExit = chord.exit - t;
   precise bool entering = chord.entry >= ray.tmin && sinceEntry <= untilExit;
   precise float step = select(entering, chord.entryStep, chord.exitStep);
-  precise vec3 unit = chord.foot + ray.direction * step;
-  precise vec3 result = select(chord.meets, unit, vec3(0.0f, 1.0f, 0.0f));
+  precise vec3 unit = line.foot + ray.direction * step;
+  precise vec3 result = select(line.squared >= 0.0f, unit, vec3(0.0f, 1.0f, 0.0f));
   return result;
 }
 

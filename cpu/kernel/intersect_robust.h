@@ -12,23 +12,32 @@ TWINTRACE_KERNEL_BEGIN
 /// 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 inline constexpr float kSlabWidening = 7.2e-7f;
 
-/// Where the line of a ray meets a sphere. `foot` is the line's point at about the least distance from
-/// the center, from there and in radii, as are the steps along the direction to both hits.
+/// The line of a ray as a sphere sees it. `foot` is the line's point at about the least distance from the
+/// center, from there and in radii.
+template <class R>
+struct SphereLine {
+  Vec3<R> foot;
+  R t;        ///< the foot's distance from the ray's origin
+  R ahead;    ///< from the foot along the direction to the nearest point, times the direction's square
+  R inverse;  ///< 1 / the direction's square
+  R squared;  ///< of half the chord, likewise; below 0 for a line that misses
+};
+
+/// Where the line meets the sphere: steps from the foot along the direction, in radii, and the hits'
+/// distances from the ray's origin.
 template <class R>
 struct SphereChord {
-  Vec3<R> foot;
   R entryStep;
   R exitStep;
-  R entry;  ///< both hits' distances from the ray's origin
+  R entry;
   R exit;
-  MaskOf<R> meets;
 };
 
 /// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, ch. 7), changed as in
 /// shaders/intersect_robust.glsl: the line's point near the center is exact, from products in the wider
 /// number; the rest is a unit sphere seen from close by.
 template <class R>
-SphereChord<R> chordOf(const Ray<R>& ray, const Sphere<R>& sphere) {
+SphereLine<R> lineThrough(const Ray<R>& ray, const Sphere<R>& sphere) {
   const Vec3<R>& d = ray.direction;
   const Vec3<R> f = ray.origin - sphere.center;
   const R a = dot3(d, d);
@@ -39,26 +48,27 @@ SphereChord<R> chordOf(const Ray<R>& ray, const Sphere<R>& sphere) {
   const WiderOf<R> scale = wider(divide(R(4.0f), sphere.radius)) * WiderOf<R>(0.25f);
   const Vec3<WiderOf<R>> near = (from + wider3(d) * wider(t)) * scale;
   const Vec3<R> foot(rounded<R>(near.x), rounded<R>(near.y), rounded<R>(near.z));
-  const R b = -dot3(foot, d);
-  const R c = dot3(foot, foot) - R(1.0f);
-  const R squared = b * b - a * c;
-  const MaskOf<R> meets = squared >= R(0.0f);
-  // Most rays miss.
-  if (!anyLane(meets)) return {foot, R(0.0f), R(0.0f), R(0.0f), R(0.0f), meets};
-  const R root = squareRoot(squared);
-  const R entryStep = (b - root) * inverse;
-  const R exitStep = (b + root) * inverse;
-  const R entry = t + entryStep * sphere.radius;
-  const R exit = t + exitStep * sphere.radius;
-  return {foot, entryStep, exitStep, entry, exit, meets};
+  const R ahead = -dot3(foot, d);
+  const R beyond = dot3(foot, foot) - R(1.0f);
+  return {foot, t, ahead, inverse, ahead * ahead - a * beyond};
+}
+
+template <class R>
+SphereChord<R> chordOf(const SphereLine<R>& line, R radius) {
+  const R root = squareRoot(line.squared);
+  const R entryStep = (line.ahead - root) * line.inverse;
+  const R exitStep = (line.ahead + root) * line.inverse;
+  return {entryStep, exitStep, line.t + entryStep * radius, line.t + exitStep * radius};
 }
 
 template <class R>
 R intersectSphereRobust(const Ray<R>& ray, const Sphere<R>& sphere) {
-  const SphereChord<R> chord = chordOf(ray, sphere);
+  const SphereLine<R> line = lineThrough(ray, sphere);
+  const MaskOf<R> meets = line.squared >= R(0.0f);
+  if (!anyLane(meets)) return R(kInfinity);  // as most rays do
+  const SphereChord<R> chord = chordOf(line, sphere.radius);
   const R t = select(chord.entry >= ray.tmin, chord.entry, chord.exit);
-  const MaskOf<R> valid = chord.meets && t >= ray.tmin;
-  return select(valid, t, R(kInfinity));
+  return select(meets && t >= ray.tmin, t, R(kInfinity));
 }
 
 /// Kay and Kajiya 1986 slabs; near and far plane by the direction's sign, zero components by an

@@ -33,10 +33,11 @@ R largestCoordinate(const Vec3<R>& v) {
 /// and far sphere and beyond it. +y without a hit.
 template <class R>
 Vec3<R> sphereNormal(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
-  const SphereChord<R> chord = chordOf(ray, sphere);
+  const SphereLine<R> line = lineThrough(ray, sphere);
+  const SphereChord<R> chord = chordOf(line, sphere.radius);
   const MaskOf<R> entering = chord.entry >= ray.tmin && t - chord.entry <= chord.exit - t;
-  const Vec3<R> unit = chord.foot + ray.direction * select(entering, chord.entryStep, chord.exitStep);
-  return select(chord.meets, unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
+  const Vec3<R> unit = line.foot + ray.direction * select(entering, chord.entryStep, chord.exitStep);
+  return select(line.squared >= R(0.0f), unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
 }
 
 template <class R>

@@ -97,8 +97,7 @@ class Planted(unittest.TestCase):
     def test_constructor_of_doubles_may_compute(self):
         self.plant("shaders/intersect_robust.glsl", "dvec3(ray.direction)",
                    "dvec3(ray.direction * ray.direction)")
-        self.plant("shaders/intersect_robust.glsl", "double(sphere.radius)",
-                   "double(sphere.radius + sphere.radius)")
+        self.plant("shaders/intersect_robust.glsl", "double(t)", "double(t + t)")
         self.assertEqual(list(CHECKS["precise"](self.copy)), [])
 
     def test_argument_that_computes(self):
