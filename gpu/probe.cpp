@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kMainPath = "probe.glsl";
 constexpr const char* kTracedMainPath = "traced_probe.glsl";
 
-// The probe's own main, as a function of one that keeps what it does.
+// Calls the probe's own main, renamed, and stores the events of the call.
 constexpr const char* kTracedMain = R"glsl(
 #define main probeMain
 #include "probe.glsl"

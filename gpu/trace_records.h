@@ -13,9 +13,9 @@ namespace twintrace {
 
 class Context;
 
-/// The shader file, for a request's virtual files, with which the main of an instrumented program
-/// keeps its events. The main calls `traceChoose()` first and `traceKeep()` last, does the same in
-/// each invocation, and has a work group of kTraceGroupSize.
+/// Name of the shader file, one of a request's virtual files, with which the main of an
+/// instrumented program stores its events. The main calls `traceChoose()` first and `traceKeep()`
+/// last, does the same in each invocation, and has a work group of kTraceGroupSize.
 inline constexpr const char* kTraceRecordsPath = "trace_records.glsl";
 inline constexpr std::uint32_t kTraceGroupSize = 64;
 
@@ -25,10 +25,10 @@ inline constexpr std::uint32_t kTraceBatch = 2048;
 /// The text of kTraceRecordsPath.
 std::string traceRecordsText();
 
-/// Runs an instrumented program until it has told all of its events.
+/// Runs an instrumented program as often as it takes to collect all of its events.
 class TraceRecords {
  public:
-  /// @param program of the shader; both have to outlive this.
+  /// @param program compiled from the shader; both have to outlive this.
   TraceRecords(Context& context, Program& program, const InstrumentedShader& shader);
 
   /// The events of the program with the uniforms and buffers that it has; `radiance` is left zero.

@@ -9,18 +9,18 @@
 // 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 const float kSlabWidening = 7.2e-7f;
 
-// The line of a ray as a sphere sees it. `foot` is the line's point at about the least distance from the
-// center, from there and in radii.
+// A ray's line seen from a sphere. `foot` is about the point of the line that is nearest to the center,
+// relative to the center and in radii; only `t` is in the ray's own units.
 struct SphereLine {
   vec3 foot;
   float t;        // the foot's distance from the ray's origin
-  float ahead;    // from the foot along the direction to the nearest point, times the direction's square
-  float inverse;  // 1 / the direction's square
-  float squared;  // of half the chord, likewise; below 0 for a line that misses
+  float ahead;    // step from the foot to the nearest point, times the direction's squared length
+  float inverse;  // 1 / the direction's squared length
+  float squared;  // quarter of the discriminant; below 0 for a line that misses
 };
 
-// Where the line meets the sphere: steps from the foot along the direction, in radii, and the hits'
-// distances from the ray's origin.
+// Where the line meets the sphere: as steps from the foot along the direction, in radii, and as the
+// ray's t. Without meaning for a line that misses.
 struct SphereChord {
   float entryStep;
   float exitStep;
@@ -39,7 +39,7 @@ SphereLine lineThrough(Ray ray, Sphere sphere) {
   precise float inverse = divide(1.0f, a);
   precise float t = -dot3(f, d) * inverse;
   precise dvec3 from = dvec3(ray.origin) - dvec3(sphere.center);
-  // By four, which even for the largest radius leaves a quotient that isn't denormal.
+  // 1 / radius would be denormal for the largest radii, and flushed to zero; 4 / radius never is.
   precise double scale = double(divide(4.0f, sphere.radius)) * double(0.25f);
   precise dvec3 near = (from + dvec3(d) * double(t)) * scale;
   precise vec3 foot = vec3(float(near.x), float(near.y), float(near.z));

@@ -36,7 +36,7 @@ float pdfPowerHemisphere(float exponent, float cosTheta) {
   return result;
 }
 
-// A direction closer to the surface, by the square of its cosine, may be turned below it by rounding.
+// A squared cosine below which rounding may turn a direction below the surface: a cosine of 2^-19.
 const float kLeastCosineSquared = 3.637978807091713e-12f;
 
 // Direction about +z with density cos / pi: exponent 1, where the power is a square root.

@@ -14,10 +14,10 @@ struct Surface {
 // the next intersection errs by as much again: 12 units of 2^-24.
 const float kOffsetScale = 7.2e-7f;
 
-// A plane's point, and an origin above it, err by rounding each coordinate alone: by 2 units of 2^-24 of
-// it. The next intersection, in double, does not err.
+// Only the rounding of each coordinate moves a plane's point and an origin above it, together by at most
+// 2 units of 2^-24 of the coordinate: the next intersection is in double. 2.5 units leave a margin.
 const float kPlaneOffsetScale = 1.5e-7f;
-// What still parts an origin from a plane's point that is all zeros.
+// Parts an origin from a plane at the scene's origin, where nothing is rounded; far above denormals.
 const float kLeastOffset = 1e-30f;
 
 // The report's fixed offset, in scene units.
@@ -29,8 +29,8 @@ float largestCoordinate(vec3 v) {
   return result;
 }
 
-// Outward and unit, at the hit that is closest to t: the point at t itself may lie anywhere in a small and
-// far sphere and beyond it. +y without a hit.
+// Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t itself
+// anywhere in a small and far sphere, or outside. +y without a hit.
 vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
   precise SphereLine line = lineThrough(ray, sphere);
   precise SphereChord chord = chordOf(line, sphere.radius);

@@ -51,7 +51,7 @@ struct TraceSite {
   std::string text;  ///< of the statement, white space made single; empty for enter
 };
 
-/// As in `dot3(vec3, vec3)`.
+/// A function's name and the types of its parameters, as in `dot3(vec3, vec3)`.
 std::string signatureOf(const TraceFunction& function);
 
 /// What the numbers in a trace mean. Built once per program.

@@ -12,19 +12,19 @@ TWINTRACE_KERNEL_BEGIN
 /// 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 inline constexpr float kSlabWidening = 7.2e-7f;
 
-/// The line of a ray as a sphere sees it. `foot` is the line's point at about the least distance from the
-/// center, from there and in radii.
+/// A ray's line seen from a sphere. `foot` is about the point of the line that is nearest to the
+/// center, relative to the center and in radii; only `t` is in the ray's own units.
 template <class R>
 struct SphereLine {
   Vec3<R> foot;
   R t;        ///< the foot's distance from the ray's origin
-  R ahead;    ///< from the foot along the direction to the nearest point, times the direction's square
-  R inverse;  ///< 1 / the direction's square
-  R squared;  ///< of half the chord, likewise; below 0 for a line that misses
+  R ahead;    ///< step from the foot to the nearest point, times the direction's squared length
+  R inverse;  ///< 1 / the direction's squared length
+  R squared;  ///< quarter of the discriminant; below 0 for a line that misses
 };
 
-/// Where the line meets the sphere: steps from the foot along the direction, in radii, and the hits'
-/// distances from the ray's origin.
+/// Where the line meets the sphere: as steps from the foot along the direction, in radii, and as
+/// the ray's t. Without meaning for a line that misses.
 template <class R>
 struct SphereChord {
   R entryStep;
@@ -44,7 +44,7 @@ SphereLine<R> lineThrough(const Ray<R>& ray, const Sphere<R>& sphere) {
   const R inverse = divide(R(1.0f), a);
   const R t = -dot3(f, d) * inverse;
   const Vec3<WiderOf<R>> from = wider3(ray.origin) - wider3(sphere.center);
-  // By four, which even for the largest radius leaves a quotient that isn't denormal.
+  // 1 / radius would be denormal for the largest radii, and flushed to zero; 4 / radius never is.
   const WiderOf<R> scale = wider(divide(R(4.0f), sphere.radius)) * WiderOf<R>(0.25f);
   const Vec3<WiderOf<R>> near = (from + wider3(d) * wider(t)) * scale;
   const Vec3<R> foot(rounded<R>(near.x), rounded<R>(near.y), rounded<R>(near.z));

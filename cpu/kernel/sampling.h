@@ -39,7 +39,7 @@ R pdfPowerHemisphere(R exponent, R cosTheta) {
   return select(cosTheta > R(0.0f), density, R(0.0f));
 }
 
-/// A direction closer to the surface, by the square of its cosine, may be turned below it by rounding.
+/// A squared cosine below which rounding may turn a direction below the surface: a cosine of 2^-19.
 inline constexpr float kLeastCosineSquared = 0x1p-38f;
 
 /// Direction about +z with density cos / pi.

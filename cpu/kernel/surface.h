@@ -19,7 +19,7 @@ struct Surface {
 inline constexpr float kOffsetScale = 7.2e-7f;
 /// 2.5 units of 2^-24: see shaders/surface.glsl.
 inline constexpr float kPlaneOffsetScale = 1.5e-7f;
-/// What still parts an origin from a plane's point that is all zeros.
+/// Parts an origin from a plane through the scene's origin: see shaders/surface.glsl.
 inline constexpr float kLeastOffset = 1e-30f;
 /// The report's fixed offset, in scene units.
 inline constexpr float kReportOffset = 1e-4f;
@@ -29,8 +29,8 @@ R largestCoordinate(const Vec3<R>& v) {
   return largestComponent(Vec3<R>(absolute(v.x), absolute(v.y), absolute(v.z)));
 }
 
-/// Outward and unit, at the hit that is closest to t: the point at t itself may lie anywhere in a small
-/// and far sphere and beyond it. +y without a hit.
+/// Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t
+/// itself anywhere in a small and far sphere, or outside. +y without a hit.
 template <class R>
 Vec3<R> sphereNormal(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
   const SphereLine<R> line = lineThrough(ray, sphere);

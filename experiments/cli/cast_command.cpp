@@ -176,7 +176,7 @@ class CastCommand {
     return interrupt.interrupted() ? kInterrupted : code;
   }
 
-  /// Visits all rays, or those before Ctrl-C, in parts of what memory and patience hold.
+  /// Visits all rays, or those before Ctrl-C, in parts that fit into memory and end soon.
   template <class Visitor>
   void visitParts(const CaseSet& cases, const InterruptScope& interrupt,
                   const Visitor& visit) const {
@@ -190,7 +190,7 @@ class CastCommand {
     }
   }
 
-  /// The answers of all to the first rays, which is how many were heard.
+  /// The answers of exact arithmetic and of all engines to the first `heard` rays.
   void writeAllAnswers(std::ostream& out, const Docket& docket, std::size_t heard,
                        const JuryBench& bench) const {
     const bool all = heard == docket.cases.rays.size();

@@ -22,9 +22,9 @@ class OptionSyntax {
   OptionSyntax typeName(const std::string& name) const;
   /// The numbers allowed, both ends included.
   OptionSyntax range(std::uint64_t least, std::uint64_t most) const;
-  /// Shows in the help what the value is unless it is given.
+  /// Shows in the help the value that stands if the option is not given.
   OptionSyntax showDefault() const;
-  /// @param name heading of the help under which it stands
+  /// @param name heading under which the help lists it
   OptionSyntax group(const std::string& name) const;
   /// Given several times, the last one counts.
   OptionSyntax takeLast() const;
@@ -35,8 +35,8 @@ class OptionSyntax {
   CLI::Option* option_;
 };
 
-/// What a subcommand takes on the command line. It stands before CLI11, whose header takes longer
-/// to compile than any command.
+/// What a subcommand takes on the command line. It keeps CLI11, whose header takes longer to
+/// compile than any command, out of the commands' files.
 class CommandSyntax {
  public:
   /// Adds a subcommand to a program or command.

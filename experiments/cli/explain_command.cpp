@@ -127,8 +127,8 @@ class ExplainCommand {
     return result;
   }
 
-  /// Turns to the first sample in which the arms differ as they render. No traced one does, but in
-  /// native maths that is not the same.
+  /// Moves `about` to the first sample in which the plain programs differ: in native maths they may
+  /// where the traced ones agree. @return whether there is one
   static bool findPlainSample(Arm& a, Arm& b, ExplainedSample& about) {
     const RenderOptions& options = a.options;
     for (std::int64_t i = 0; i < std::max(options.spp, 1); ++i) {

@@ -20,9 +20,9 @@ struct PlainSample {
 /// Renders one sample of all pixels on both arms. @throws DeviceError if a device fails.
 PlainSample renderPlainSample(Arm& a, Arm& b, const PixelPosition& pixel, std::int64_t sample);
 
-/// In words: what the traced programs show otherwise than the plain ones, whether they still show
-/// the difference, and in native maths, where a driver may compile the traced text otherwise, also
-/// that they are true.
+/// In words: where the traced programs give other bits than the plain ones, and whether they still
+/// show the difference. In native maths, where a driver may compile the traced text differently,
+/// also that they give the same, if so.
 std::vector<std::string> traceNotes(const PlainSample& plain, const SampleExplanation& explanation,
                                     bool native);
 

@@ -90,7 +90,7 @@ class Side {
     return origin;
   }
 
-  /// What a statement is made of, in the order of time, as far as it can't be compared.
+  /// The statements that one is made of and that can't be compared, in the order of execution.
   std::vector<TracedValues> suspects(const TracedValues& differing, const Side& other) const {
     std::vector<TracedValues> found;
     if (differing.site == nullptr) return found;

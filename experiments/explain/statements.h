@@ -8,7 +8,7 @@
 
 namespace twintrace {
 
-/// Two statements that do the same on both sides and give different values.
+/// Two corresponding statements, one of each side, that give different values.
 struct StatementDifference {
   TracedValues a;
   TracedValues b;
@@ -31,11 +31,12 @@ struct WordDifference {
 /// of a.
 ///
 /// Statements correspond if they give a value to a variable of the same name, the first to the
-/// first and so on, provided that the two functions name it in equally many statements; the twins
-/// are written apart, and otherwise compute something else under that name. Without a difference
-/// there, it is the return. A variable that is returned as it is, and that the other side lacks,
-/// stands for the other's result: the statement that gave it the differing value is named in the
-/// place of the return, and none is suspect up to one that gave it the other's result.
+/// first and so on. This holds only for names that both functions assign equally often: the twins
+/// are written apart, and a name assigned more often on one side means something else there. If no
+/// such statement differs, the returns are named. A variable that is returned as it is, and that
+/// the other side lacks, stands for the result: instead of the return, the statement that gave it
+/// the differing value is named. One that gave it the other side's result is no suspect, and
+/// neither is what that one is made of.
 StatementDifference firstDifferingStatement(const TraceProgram& programA, const Call& a,
                                             const TraceProgram& programB, const Call& b);
 

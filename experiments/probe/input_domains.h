@@ -40,13 +40,14 @@ using Vector = std::array<float, 3>;
 template <class Value>
 using Domains = std::map<std::string, std::function<Value(Source&)>, std::less<>>;
 
+/// Both ends included; empty if most < least.
 struct IntRange {
   int least = 0;
   int most = 0;
 };
 
-/// An int's domain. One that says where to read in a scene has bounds, beyond which no function may be
-/// called; for others any value will do, if it is not one that is drawn.
+/// How an int is drawn. One that says where to read in a scene also has bounds, outside of which no
+/// function may be called with it; without bounds a function may be called with any value.
 struct IntDomain {
   std::function<int(Source&)> draw;
   std::function<IntRange(const World&)> bounds;

@@ -33,6 +33,7 @@ struct StatementReplay {
 
 /// Runs a record into `result`, which must be fresh.
 /// @param function one with a twin.
+/// @param inputs the packed words of one record, within the world's bounds: see checkInputs().
 /// @throws DeviceError if the driver rejects the program; FileError for shaders that can't be
 ///   parsed.
 void replayStatements(Context& context, const ShaderLibrary& library,

@@ -1,7 +1,7 @@
 // Audits the checks: plants the mistakes of a table in copies of the shaders, one at a time, and
 // asks probe, compare, cast and explain about each. Prints the table fault x check. Exits with 1
 // unless each mistake is caught by one check or more and explain names the damaged function
-// wherever a picture shows it, with 2 for a table or names that can't be. Usage:
+// wherever a picture shows it, with 2 for an invalid table or unknown names. Usage:
 // twintrace_audit_checks [--table FILE] [FAULT...]; all faults of the table unless named.
 
 #include <algorithm>
@@ -153,7 +153,7 @@ int audit(const std::string& file, const std::vector<std::string>& names) {
   const AuditTable table = readAuditTable(file);
   const std::vector<std::size_t> chosen = chooseFaults(table, names);
   Audit audit(table);
-  // All of them, so that a few tried faults show that each has its place.
+  // All of them even if few are tried, so that each run checks that all faults still have a place.
   const std::vector<Damage> damages = plantAll(table.faults, audit.texts());
   std::printf("%-45s | %-21s | %-5s | %-7s | %-4s | %s\n", "fault", "shader", "probe", "compare",
               "cast", "explain points to");

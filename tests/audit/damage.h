@@ -40,7 +40,7 @@ struct Damage {
   ShaderReplacement shader;
   /// Those whose own text has the fault, or that use a constant which has it.
   std::vector<FunctionText> functions;
-  /// What the same file has beyond these and could answer otherwise since it calls one of them.
+  /// Other functions of the same file whose results may change since they call one of these.
   std::vector<FunctionText> callers;
 
   bool damages(const std::string& function) const;

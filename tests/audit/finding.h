@@ -6,7 +6,7 @@ namespace twintrace::test {
 
 /// What a check makes of a fault.
 enum class Answer {
-  notReached,  ///< nothing that the check runs comes by the fault
+  notReached,  ///< nothing that the check runs reaches the fault
   no,          ///< it runs the fault and sees nothing
   yes
 };

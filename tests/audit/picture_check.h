@@ -24,12 +24,12 @@ struct Explained {
 class Picture {
  public:
   /// @param root folder that the scenes' paths begin at.
-  /// @throws FileError and UsageError for a scene or options that can't be.
+  /// @throws FileError and UsageError for an invalid scene or invalid options.
   Picture(const PictureChoice& choice, const std::string& root);
 
   const std::string& name() const { return name_; }
 
-  /// Whether the GPU comes by a damaged function here.
+  /// Whether rendering this picture calls a damaged function.
   bool calls(const Damage& damage) const;
 
   /// Compares the CPU with the damaged GPU.
@@ -67,8 +67,8 @@ class PictureCheck {
   /// @param root folder that the scenes' paths begin at.
   PictureCheck(std::vector<PictureChoice> choices, std::string root);
 
-  /// Tries the pictures that come by the fault, until one differs.
-  /// @throws FileError and UsageError for a scene or options that can't be; as Picture::compare.
+  /// Tries the pictures that call a damaged function, until one differs.
+  /// @throws FileError and UsageError for an invalid scene or invalid options; as Picture::compare.
   PictureFinding find(const Damage& damage);
 
  private:

@@ -75,8 +75,8 @@ def check_precise(root):
 
 
 def check_branches(root, path, text, start, function, exact):
-    """At most one branch that is chosen at run time returns a call: of several, Mesa drops `precise`,
-    which one precise result for all branches keeps."""
+    """At most one branch that is chosen at run time returns a call. Mesa drops `precise`
+    from several; it keeps that of one result which all branches assign."""
     branch = re.compile(r"^ +(?:\} else )?if \(([^{]*)\) \{\n +return \w+\(", re.M)
     returning = [match for match in branch.finditer(function.body)
                  if not all(re.fullmatch(r"k[A-Z]\w*", n) for n in re.findall(r"[A-Za-z]\w*", match.group(1)))]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every header compiles alone. A header that another file includes first is compiled as if alone with
-that file, in the build or here; this compiles the others.
+"""Every header compiles alone. Of one that some file includes before all else, compiling that file
+shows it, in the build or here; this compiles the others.
 
 Usage: run_headers.py ROOT COMPILER FLAG...
 """

@@ -16,8 +16,8 @@ constexpr int kRoundingColumn = 3;
 constexpr int kBranchColumn = 7;
 
 /// path_state.glsl with two faults, as a value of --override: in one column of pixels the
-/// throughput is off by rounding, in another, but for its
-/// first 5 rows, the path has ended before it began.
+/// throughput is slightly off; in another, except for its first 5 rows, the path has ended before
+/// it began.
 std::string faultyStart(const TemporaryDirectory& directory) {
   const std::string from = "PathState(key, ray, vec3(1.0f), vec3(0.0f), 0, true);";
   std::string text = ShaderLibrary().find("path_state.glsl").value().text;
