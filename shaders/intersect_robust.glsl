@@ -9,54 +9,49 @@
 // 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 const float kSlabWidening = 7.2e-7f;
 
-// A ray's line seen from a sphere. `foot` is about the point of the line that is nearest to the center,
-// relative to the center and in radii; only `t` is in the ray's own units.
+// A ray's line seen from a sphere: relative to the center and in radii, but for `t`.
 struct SphereLine {
-  vec3 foot;
-  float t;        // the foot's distance from the ray's origin
-  float ahead;    // step from the foot to the nearest point, times the direction's squared length
-  float inverse;  // 1 / the direction's squared length
-  float squared;  // quarter of the discriminant; below 0 for a line that misses
+  vec3 nearest;   // the line's point nearest to the center
+  float t;        // the ray's t at a point of the line near that one
+  float ahead;    // step along the direction from there to the nearest point
+  float squared;  // of the step from the nearest point to either hit; below 0 for a line that misses
 };
 
-// Where the line meets the sphere: as steps from the foot along the direction, in radii, and as the
-// ray's t. Without meaning for a line that misses.
+// Where the line meets the sphere: the step from the nearest point to either hit, and the hits' t.
+// Without meaning for a line that misses.
 struct SphereChord {
-  float entryStep;
-  float exitStep;
+  float aside;
   float entry;
   float exit;
 };
 
 // Haines, Guenther and Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection" (Ray
 // Tracing Gems, ch. 7), who take the discriminant from the line's point nearest to the center. Changed:
-// that point need only be near, but is exact, from products in double; the rest is a unit sphere seen
-// from close by, for which float is enough, and no length is squared before it is in radii.
+// a point close to it is exact, from products in double; from there on the sphere is a unit sphere seen
+// from close by, for which float is enough, and no length is squared before it is in radii. A sphere of
+// radius 0 is never hit. The direction's largest component is within [0.5, 2).
 SphereLine lineThrough(Ray ray, Sphere sphere) {
   precise vec3 d = ray.direction;
   precise vec3 f = ray.origin - sphere.center;
-  precise float a = dot3(d, d);
-  precise float inverse = divide(1.0f, a);
+  precise float inverse = divide(1.0f, dot3(d, d));
   precise float t = -dot3(f, d) * inverse;
   precise dvec3 from = dvec3(ray.origin) - dvec3(sphere.center);
   // 1 / radius would be denormal for the largest radii, and flushed to zero; 4 / radius never is.
   precise double scale = double(divide(4.0f, sphere.radius)) * double(0.25f);
   precise dvec3 near = (from + dvec3(d) * double(t)) * scale;
   precise vec3 foot = vec3(float(near.x), float(near.y), float(near.z));
-  precise float ahead = -dot3(foot, d);
-  precise float beyond = dot3(foot, foot) - 1.0f;
-  precise float squared = ahead * ahead - a * beyond;
-  precise SphereLine result = SphereLine(foot, t, ahead, inverse, squared);
+  precise float ahead = -dot3(foot, d) * inverse;
+  precise vec3 nearest = foot + d * ahead;
+  precise float squared = (1.0f - dot3(nearest, nearest)) * inverse;
+  precise SphereLine result = SphereLine(nearest, t, ahead, squared);
   return result;
 }
 
 SphereChord chordOf(SphereLine line, float radius) {
-  precise float root = squareRoot(line.squared);
-  precise float entryStep = (line.ahead - root) * line.inverse;
-  precise float exitStep = (line.ahead + root) * line.inverse;
-  precise float entry = line.t + entryStep * radius;
-  precise float exit = line.t + exitStep * radius;
-  precise SphereChord result = SphereChord(entryStep, exitStep, entry, exit);
+  precise float aside = squareRoot(line.squared);
+  precise float entry = line.t + (line.ahead - aside) * radius;
+  precise float exit = line.t + (line.ahead + aside) * radius;
+  precise SphereChord result = SphereChord(aside, entry, exit);
   return result;
 }
 

@@ -37,8 +37,8 @@ vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
   precise float sinceEntry = t - chord.entry;
   precise float untilExit = chord.exit - t;
   precise bool entering = chord.entry >= ray.tmin && sinceEntry <= untilExit;
-  precise float step = select(entering, chord.entryStep, chord.exitStep);
-  precise vec3 unit = line.foot + ray.direction * step;
+  precise float step = select(entering, -chord.aside, chord.aside);
+  precise vec3 unit = line.nearest + ray.direction * step;
   precise vec3 result = select(line.squared >= 0.0f, unit, vec3(0.0f, 1.0f, 0.0f));
   return result;
 }

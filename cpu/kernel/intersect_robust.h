@@ -12,53 +12,49 @@ TWINTRACE_KERNEL_BEGIN
 /// 2 gamma(3): how far rounding can move a slab's distance. Ize 2013, "Robust BVH Ray Traversal".
 inline constexpr float kSlabWidening = 7.2e-7f;
 
-/// A ray's line seen from a sphere. `foot` is about the point of the line that is nearest to the
-/// center, relative to the center and in radii; only `t` is in the ray's own units.
+/// A ray's line seen from a sphere: relative to the center and in radii, but for `t`.
 template <class R>
 struct SphereLine {
-  Vec3<R> foot;
-  R t;        ///< the foot's distance from the ray's origin
-  R ahead;    ///< step from the foot to the nearest point, times the direction's squared length
-  R inverse;  ///< 1 / the direction's squared length
-  R squared;  ///< quarter of the discriminant; below 0 for a line that misses
+  Vec3<R> nearest;  ///< the line's point nearest to the center
+  R t;              ///< the ray's t at a point of the line near that one
+  R ahead;          ///< step along the direction from there to the nearest point
+  R squared;  ///< of the step from the nearest point to either hit; below 0 for a line that misses
 };
 
-/// Where the line meets the sphere: as steps from the foot along the direction, in radii, and as
-/// the ray's t. Without meaning for a line that misses.
+/// Where the line meets the sphere: the step from the nearest point to either hit, and the hits' t.
+/// Without meaning for a line that misses.
 template <class R>
 struct SphereChord {
-  R entryStep;
-  R exitStep;
+  R aside;
   R entry;
   R exit;
 };
 
 /// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, ch. 7), changed as in
-/// shaders/intersect_robust.glsl: the line's point near the center is exact, from products in the wider
-/// number; the rest is a unit sphere seen from close by.
+/// shaders/intersect_robust.glsl: a point of the line near the center is exact, from products in the
+/// wider number; from there on the sphere is a unit sphere seen from close by.
+/// @param ray its direction's largest component is within [0.5, 2).
+/// @param sphere never hit if its radius is 0.
 template <class R>
 SphereLine<R> lineThrough(const Ray<R>& ray, const Sphere<R>& sphere) {
   const Vec3<R>& d = ray.direction;
   const Vec3<R> f = ray.origin - sphere.center;
-  const R a = dot3(d, d);
-  const R inverse = divide(R(1.0f), a);
+  const R inverse = divide(R(1.0f), dot3(d, d));
   const R t = -dot3(f, d) * inverse;
   const Vec3<WiderOf<R>> from = wider3(ray.origin) - wider3(sphere.center);
   // 1 / radius would be denormal for the largest radii, and flushed to zero; 4 / radius never is.
   const WiderOf<R> scale = wider(divide(R(4.0f), sphere.radius)) * WiderOf<R>(0.25f);
   const Vec3<WiderOf<R>> near = (from + wider3(d) * wider(t)) * scale;
   const Vec3<R> foot(rounded<R>(near.x), rounded<R>(near.y), rounded<R>(near.z));
-  const R ahead = -dot3(foot, d);
-  const R beyond = dot3(foot, foot) - R(1.0f);
-  return {foot, t, ahead, inverse, ahead * ahead - a * beyond};
+  const R ahead = -dot3(foot, d) * inverse;
+  const Vec3<R> nearest = foot + d * ahead;
+  return {nearest, t, ahead, (R(1.0f) - dot3(nearest, nearest)) * inverse};
 }
 
 template <class R>
 SphereChord<R> chordOf(const SphereLine<R>& line, R radius) {
-  const R root = squareRoot(line.squared);
-  const R entryStep = (line.ahead - root) * line.inverse;
-  const R exitStep = (line.ahead + root) * line.inverse;
-  return {entryStep, exitStep, line.t + entryStep * radius, line.t + exitStep * radius};
+  const R aside = squareRoot(line.squared);
+  return {aside, line.t + (line.ahead - aside) * radius, line.t + (line.ahead + aside) * radius};
 }
 
 template <class R>

@@ -36,7 +36,7 @@ Vec3<R> sphereNormal(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
   const SphereLine<R> line = lineThrough(ray, sphere);
   const SphereChord<R> chord = chordOf(line, sphere.radius);
   const MaskOf<R> entering = chord.entry >= ray.tmin && t - chord.entry <= chord.exit - t;
-  const Vec3<R> unit = line.foot + ray.direction * select(entering, chord.entryStep, chord.exitStep);
+  const Vec3<R> unit = line.nearest + ray.direction * select(entering, -chord.aside, chord.aside);
   return select(line.squared >= R(0.0f), unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
 }
 

@@ -19,7 +19,8 @@ ALIASES = {"R": "float", "N": "float", "double": "float", "NativeFloat": "float"
            "Index": "int", "Uint": "uint", "Mask": "bool", "std::int32_t": "int",
            "std::uint32_t": "uint", "IntOf<R>": "int", "UintOf<R>": "uint", "MaskOf<R>": "bool",
            "Vec3<R>": "vec3", "Vec3<N>": "vec3", "Vec3<float>": "vec3",
-           "Wider": "float", "Vec3<Wider>": "vec3"}  # recorded rounded to float
+           "Wider": "float", "Vec3<Wider>": "vec3",
+           "WiderOf<R>": "float", "Vec3<WiderOf<R>>": "vec3"}  # recorded rounded to float
 # The loops over samples, which a trace of one sample stands for.
 UNTRACED = {"renderPixel"}
 LOCAL = re.compile(r"(?:const\s+)?([\w:]+(?:<[^;=(){}]*>)?)\s*&?\s+(\w+)\s*(?=[=({])")

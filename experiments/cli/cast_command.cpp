@@ -183,10 +183,11 @@ class CastCommand {
     const std::size_t total = cases.rays.size();
     if (total <= kChunk) return visit(cases);
     ProgressDisplay display(console_.err, ProgressDisplay::styleForStandardError(answer_.quiet));
-    for (std::size_t first = 0; first < total && !interrupt.interrupted(); first += kChunk) {
+    for (std::size_t first = 0; first < total; first += kChunk) {
       const std::size_t end = std::min<std::size_t>(first + kChunk, total);
       visit(raysBetween(cases, first, end));
       display.show({double(end) / double(total), 0, 0.0});
+      if (interrupt.interrupted()) return;
     }
   }
 

@@ -158,6 +158,8 @@ int anyPrimitive(Source& from) {
   const IntRange range = primitives(from.world);
   return from.integer(0, 7) == 0 ? layout::kNoPrimitive : from.integer(range.least, range.most);
 }
+/// As a hit has it, whose primitive is read.
+IntDomain maybePrimitive() { return {anyPrimitive, primitives, true}; }
 
 /// One of the first of the world's cases, so that a few more lie behind it.
 IntDomain caseTexel() {
@@ -274,6 +276,8 @@ const std::map<std::string, IntDomain, std::less<>>& intDomains() {
       {"count", caseCount()},
       {"surfaceInView.hit.primitive", within(primitives)},
       {"bounceInView.hit.primitive", within(primitives)},
+      {"answerInView.hit.primitive", maybePrimitive()},
+      {"surfaceAt.hit.primitive", maybePrimitive()},
       {"powerOfTwo.exponent", between(-126, 127)},
       {"scaledByPower.exponent", between(-252, 254)},
       {"room", between(-94, 126)},

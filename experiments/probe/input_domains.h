@@ -51,6 +51,7 @@ struct IntRange {
 struct IntDomain {
   std::function<int(Source&)> draw;
   std::function<IntRange(const World&)> bounds;
+  bool orNone = false;  ///< whether kNoPrimitive will do, too
 };
 
 /// Domains by "function.path", "Struct.member" or the name alone.

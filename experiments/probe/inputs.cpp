@@ -106,6 +106,18 @@ void addWithNeighbours(std::vector<std::uint32_t>& words, float value) {
   }
 }
 
+void checkInteger(const ShaderFunction& function, const Slot& slot, const World& world, int value) {
+  const IntDomain* domain = domainOf(intDomains(), function, slot);
+  if (domain == nullptr || !domain->bounds) return;
+  if (domain->orNone && value == layout::kNoPrimitive) return;
+  const IntRange range = domain->bounds(world);
+  if (value >= range.least && value <= range.most) return;
+  const std::string expected = range.least > range.most
+                                   ? "a scene that has some"
+                                   : fmt::format("{} to {}", range.least, range.most);
+  throw UsageError(fmt::format("inputs: {}: found {}, expected {}", slot.path, value, expected));
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> drawInputs(const ShaderFunction& function, const World& world,
@@ -130,18 +142,7 @@ void checkInputs(const ShaderFunction& function, const World& world,
                  std::span<const std::uint32_t> record) {
   std::size_t at = 0;
   for (const Slot& slot : function.inputs) {
-    const IntDomain* domain =
-        slot.kind == Kind::integer ? domainOf(intDomains(), function, slot) : nullptr;
-    if (domain != nullptr && domain->bounds) {
-      const IntRange range = domain->bounds(world);
-      const int value = static_cast<int>(record[at]);
-      if (value < range.least || value > range.most) {
-        throw UsageError(fmt::format("inputs: {}: found {}, expected {}", slot.path, value,
-                                     range.least > range.most
-                                         ? std::string("a scene that has some")
-                                         : fmt::format("{} to {}", range.least, range.most)));
-      }
-    }
+    if (slot.kind == Kind::integer) checkInteger(function, slot, world, static_cast<int>(record[at]));
     at += static_cast<std::size_t>(slot.size);
   }
 }

@@ -36,7 +36,12 @@ std::string optionsText(const RenderOptions& ofScene, const RenderOptions& optio
   const auto add = [&](const char* name, const RenderOptions& unsaid) {
     const Option& option = *findOption(name);
     const std::string value = option.get(options);
-    if (value != option.get(unsaid)) text += fmt::format(" --{} {}", name, shellWord(value));
+    // An integrator that is named implies an intersector, unless that is named too.
+    const bool implied = std::string_view(name) == "intersector" &&
+                         options.integrator != ofScene.integrator;
+    if (implied || value != option.get(unsaid)) {
+      text += fmt::format(" --{} {}", name, shellWord(value));
+    }
   };
   for (const char* name : kSceneOptions) add(name, ofScene);
   add("maths", ofScene);

@@ -10,8 +10,8 @@ namespace twintrace::probe {
 
 /// The options of rendering that decide what a function reads of a scene, and how the shader is
 /// specialised for it.
-inline constexpr std::array kSceneOptions = {"integrator", "noise", "intersector",
-                                             "effects",    "width", "height"};
+inline constexpr std::array kSceneOptions = {"integrator", "noise", "intersector", "effects",
+                                             "bounces",    "width", "height"};
 
 /// The command that runs a located call alone, ready for a shell: the function with the words of
 /// its inputs, the scene, and what the shader's arm has other than the scene asks for.

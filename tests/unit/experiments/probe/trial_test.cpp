@@ -190,6 +190,15 @@ TEST_CASE("checkInputs keeps functions from reading beyond the world", "[probe]"
   CHECK_THROWS_WITH(check(1000000000u), Contains("index: found 1000000000, expected 0 to 1"));
   CHECK_THROWS_WITH(check(0xffffffffu), Contains("index: found -1"));
   CHECK_NOTHROW(checkInputs(named("powerOfTwo(int)"), world, std::array{0x7fffffffu}));
+  std::vector<std::uint32_t> ray(12, 0u);
+  const auto surface = [&](int primitive) {
+    std::vector<std::uint32_t> words = ray;
+    words.push_back(static_cast<std::uint32_t>(primitive));
+    checkInputs(named("surfaceAt(Ray, Hit)"), world, words);
+  };
+  CHECK_NOTHROW(surface(0));
+  CHECK_NOTHROW(surface(layout::kNoPrimitive));
+  CHECK_THROWS_WITH(surface(-100000000), Contains("hit.primitive: found -100000000"));
 }
 
 TEST_CASE("replay gives all answers to one record", "[probe][gl]") {
