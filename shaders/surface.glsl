@@ -29,6 +29,10 @@ float largestCoordinate(vec3 v) {
   return result;
 }
 
+// The step from the nearest point to a tangent's hit, in radii: enough for the normal's sign along the ray
+// to be right in spite of rounding, since a flipped one sends the path inside.
+const float kLeastAside = 9.5367431640625e-7f;
+
 // Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t itself
 // anywhere in a small and far sphere, or outside. +y without a hit.
 vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
@@ -37,7 +41,8 @@ vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
   precise float sinceEntry = t - chord.entry;
   precise float untilExit = chord.exit - t;
   precise bool entering = chord.entry >= ray.tmin && sinceEntry <= untilExit;
-  precise float step = select(entering, -chord.aside, chord.aside);
+  precise float aside = greatest(chord.aside, kLeastAside);
+  precise float step = select(entering, -aside, aside);
   precise vec3 unit = line.nearest + ray.direction * step;
   precise vec3 result = select(line.squared >= 0.0f, unit, vec3(0.0f, 1.0f, 0.0f));
   return result;

@@ -21,6 +21,8 @@ inline constexpr float kOffsetScale = 7.2e-7f;
 inline constexpr float kPlaneOffsetScale = 1.5e-7f;
 /// Parts an origin from a plane through the scene's origin: see shaders/surface.glsl.
 inline constexpr float kLeastOffset = 1e-30f;
+/// A tangent's least step, in radii, from the nearest point to its hit: see shaders/surface.glsl.
+inline constexpr float kLeastAside = 0x1p-20f;
 /// The report's fixed offset, in scene units.
 inline constexpr float kReportOffset = 1e-4f;
 
@@ -36,7 +38,8 @@ Vec3<R> sphereNormal(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
   const SphereLine<R> line = lineThrough(ray, sphere);
   const SphereChord<R> chord = chordOf(line, sphere.radius);
   const MaskOf<R> entering = chord.entry >= ray.tmin && t - chord.entry <= chord.exit - t;
-  const Vec3<R> unit = line.nearest + ray.direction * select(entering, -chord.aside, chord.aside);
+  const R aside = greatest(chord.aside, R(kLeastAside));
+  const Vec3<R> unit = line.nearest + ray.direction * select(entering, -aside, aside);
   return select(line.squared >= R(0.0f), unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
 }
 
