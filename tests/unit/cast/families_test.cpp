@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/base/error.h"
+#include "common/base/finite.h"
 #include "common/base/float_bits.h"
 #include "tests/catch.h"
 
@@ -32,10 +33,6 @@ bool sameCase(const CaseSet& a, std::size_t i, const CaseSet& b, std::size_t k) 
          std::equal(inA.begin(), inA.end(), inB.begin(), inB.end(), samePrimitive) &&
          a.bounces.empty() == b.bounces.empty() &&
          (a.bounces.empty() || a.bounces[i] == b.bounces[k]);
-}
-
-bool isFinite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 }  // namespace
