@@ -172,7 +172,7 @@ Plane withUnitNormal(Plane plane) {
 
 // An oriented box's axes are unit only to within rounding, or whatever was written.
 Surface orientedCaseSurface(Ray ray, float t, OrientedBox box) {
-  precise Surface surface = orientedBoxSurface(ray, t, box);
+  precise Surface surface = chosenOrientedBoxSurface(ray, t, box);
   surface.normal = unitOf(surface.normal);
   return surface;
 }
@@ -188,7 +188,7 @@ Surface caseSurface(Ray ray, float t, int texel, float scale) {
   } else if (kind == kCaseOrientedBox) {
     result = orientedCaseSurface(ray, t, fetchCaseOrientedBox(texel, scale));
   } else if (kind == kCasePlane) {
-    result = planeSurface(ray, t, withUnitNormal(fetchCasePlane(texel, scale)));
+    result = chosenPlaneSurface(ray, t, withUnitNormal(fetchCasePlane(texel, scale)));
   } else {
     result = triangleSurface(ray, t, fetchCaseTriangle(texel, scale));
   }

@@ -14,13 +14,13 @@ struct SphereLine {
   vec3 nearest;   // the line's point nearest to the center
   float t;        // the ray's t at a point of the line near that one
   float ahead;    // step along the direction from there to the nearest point
-  float squared;  // of the step from the nearest point to either hit; below 0 for a line that misses
+  float halfChordSquared;  // of the step from there to either hit; below 0 for a line that misses
 };
 
 // Where the line meets the sphere: the step from the nearest point to either hit, and the hits' t.
 // Without meaning for a line that misses.
 struct SphereChord {
-  float aside;
+  float halfChord;
   float entry;
   float exit;
 };
@@ -30,58 +30,84 @@ struct SphereChord {
 // a point close to it is exact, from products in double; from there on the sphere is a unit sphere seen
 // from close by, for which float is enough, and no length is squared before it is in radii. A sphere of
 // radius 0 is never hit. The direction's largest component is within [0.5, 2).
-SphereLine lineThrough(Ray ray, Sphere sphere) {
+SphereLine sphereLineOf(Ray ray, Sphere sphere) {
   precise vec3 d = ray.direction;
   precise vec3 f = ray.origin - sphere.center;
   precise float inverse = divide(1.0f, dot3(d, d));
   precise float t = -dot3(f, d) * inverse;
   precise dvec3 from = dvec3(ray.origin) - dvec3(sphere.center);
   // 1 / radius would be denormal for the largest radii, and flushed to zero; 4 / radius never is.
-  precise double scale = double(divide(4.0f, sphere.radius)) * double(0.25f);
-  precise dvec3 near = (from + dvec3(d) * double(t)) * scale;
-  precise vec3 foot = vec3(float(near.x), float(near.y), float(near.z));
+  precise float scale = divide(4.0f, sphere.radius);
+  precise dvec3 exact = from + dvec3(d) * double(t);
+  precise vec3 close = vec3(float(exact.x), float(exact.y), float(exact.z));
+  precise vec3 foot = (close * scale) * 0.25f;
   precise float ahead = -dot3(foot, d) * inverse;
   precise vec3 nearest = foot + d * ahead;
-  precise float squared = (1.0f - dot3(nearest, nearest)) * inverse;
-  precise SphereLine result = SphereLine(nearest, t, ahead, squared);
+  precise float halfChordSquared = (1.0f - dot3(nearest, nearest)) * inverse;
+  precise SphereLine result = SphereLine(nearest, t, ahead, halfChordSquared);
   return result;
 }
 
 SphereChord chordOf(SphereLine line, float radius) {
-  precise float aside = squareRoot(line.squared);
-  precise float entry = line.t + (line.ahead - aside) * radius;
-  precise float exit = line.t + (line.ahead + aside) * radius;
-  precise SphereChord result = SphereChord(aside, entry, exit);
+  precise float halfChord = squareRoot(line.halfChordSquared);
+  precise float entry = line.t + (line.ahead - halfChord) * radius;
+  precise float exit = line.t + (line.ahead + halfChord) * radius;
+  precise SphereChord result = SphereChord(halfChord, entry, exit);
   return result;
 }
 
 float intersectSphereRobust(Ray ray, Sphere sphere) {
-  precise SphereLine line = lineThrough(ray, sphere);
+  precise SphereLine line = sphereLineOf(ray, sphere);
   precise SphereChord chord = chordOf(line, sphere.radius);
   precise float t = select(chord.entry >= ray.tmin, chord.entry, chord.exit);
-  precise bool valid = line.squared >= 0.0f && t >= ray.tmin;
+  precise bool valid = line.halfChordSquared >= 0.0f && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }
 
-// Kay and Kajiya 1986 slabs. Near and far plane are picked by the direction's sign; a zero component
-// has an infinite inverse, so that an origin outside the slab gives an empty interval, one inside
-// an unbounded one, and one on a face 0 * infinity = NaN, which least and greatest drop.
-float intersectBoxRobust(Ray ray, Box box) {
+// Distances along a ray to the planes of a box's slabs, and the interval between the last that enters
+// and the first that leaves.
+struct Slabs {
+  vec3 near;
+  vec3 far;
+  float entry;
+  float exit;
+};
+
+// Infinity for every ray, which no compiler knows beforehand: of minima and maxima that start from a
+// literal, llvmpipe makes comparisons and selections, which take 5 % of a frame.
+float computedInfinity(Ray ray) {
+  precise float result = float(floatBitsToInt(ray.inverse.x)) + kInfinity;
+  return result;
+}
+
+// Kay and Kajiya 1986. Near and far plane are picked by the direction's sign; a zero component has an
+// infinite inverse, so that an origin outside the slab gives an empty interval, one inside an unbounded
+// one, and one on a face 0 * infinity = NaN, which least and greatest drop.
+Slabs slabsOf(Ray ray, Box box) {
   precise bool backX = ray.direction.x < 0.0f;
   precise bool backY = ray.direction.y < 0.0f;
   precise bool backZ = ray.direction.z < 0.0f;
-  precise float nearX = (select(backX, box.maximum.x, box.minimum.x) - ray.origin.x) * ray.inverse.x;
-  precise float nearY = (select(backY, box.maximum.y, box.minimum.y) - ray.origin.y) * ray.inverse.y;
-  precise float nearZ = (select(backZ, box.maximum.z, box.minimum.z) - ray.origin.z) * ray.inverse.z;
-  precise float farX = (select(backX, box.minimum.x, box.maximum.x) - ray.origin.x) * ray.inverse.x;
-  precise float farY = (select(backY, box.minimum.y, box.maximum.y) - ray.origin.y) * ray.inverse.y;
-  precise float farZ = (select(backZ, box.minimum.z, box.maximum.z) - ray.origin.z) * ray.inverse.z;
-  precise float entry = greatest(greatest(greatest(-kInfinity, nearX), nearY), nearZ);
-  precise float exit = least(least(least(kInfinity, farX), farY), farZ);
-  precise float widened = exit * (1.0f + kSlabWidening);
-  precise float t = select(entry < ray.tmin, exit, entry);
-  precise bool valid = entry <= widened && t >= ray.tmin;
+  precise vec3 first = vec3(select(backX, box.maximum.x, box.minimum.x),
+                            select(backY, box.maximum.y, box.minimum.y),
+                            select(backZ, box.maximum.z, box.minimum.z));
+  precise vec3 last = vec3(select(backX, box.minimum.x, box.maximum.x),
+                           select(backY, box.minimum.y, box.maximum.y),
+                           select(backZ, box.minimum.z, box.maximum.z));
+  precise vec3 near = (first - ray.origin) * ray.inverse;
+  precise vec3 far = (last - ray.origin) * ray.inverse;
+  precise float unbounded = computedInfinity(ray);
+  precise float entry = greatest(greatest(greatest(-unbounded, near.x), near.y), near.z);
+  precise float exit = least(least(least(unbounded, far.x), far.y), far.z);
+  precise Slabs result = Slabs(near, far, entry, exit);
+  return result;
+}
+
+float intersectBoxRobust(Ray ray, Box box) {
+  precise Slabs slabs = slabsOf(ray, box);
+  precise float widened = slabs.exit * (1.0f + kSlabWidening);
+  precise float t = select(slabs.entry < ray.tmin, slabs.exit, slabs.entry);
+  precise bool valid = slabs.entry <= widened && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
 }

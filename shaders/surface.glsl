@@ -11,14 +11,17 @@ struct Surface {
 };
 
 // A re-projected point is off by at most about 4 roundings of the largest coordinate involved, and
-// the next intersection errs by as much again: 12 units of 2^-24.
+// the next intersection errs by as much again: 12 units u = 2^-24. For an oriented box of center c and
+// half size h both in detail: 8 u |h| from the local frame and 2.5 u sum |p_i n_i| from the point p,
+// which is below 10.5 u (h.x + h.y + h.z) + 4.4 u max |c_i|.
 const float kOffsetScale = 7.2e-7f;
 
-// Only the rounding of each coordinate moves a plane's point and an origin above it, together by at most
-// 2 units of 2^-24 of the coordinate: the next intersection is in double. 2.5 units leave a margin.
-const float kPlaneOffsetScale = 1.5e-7f;
-// Parts an origin from a plane at the scene's origin, where nothing is rounded; far above denormals.
-const float kLeastOffset = 1e-30f;
+// Where the next intersection tells exactly on which side of the surface its origin lies (a plane's is in
+// double, a slab's one subtraction), only the rounding of each coordinate moves a point and an origin above
+// it: together by at most 2 units of 2^-24 of the coordinate. 2.5 units leave a margin.
+const float kClearanceScale = 1.5e-7f;
+// Parts an origin from a surface at the scene's origin, where nothing is rounded; far above denormals.
+const float kLeastClearance = 1e-30f;
 
 // The report's fixed offset, in scene units.
 const float kReportOffset = 1e-4f;
@@ -31,20 +34,27 @@ float largestCoordinate(vec3 v) {
 
 // The step from the nearest point to a tangent's hit, in radii: enough for the normal's sign along the ray
 // to be right in spite of rounding, since a flipped one sends the path inside.
-const float kLeastAside = 9.5367431640625e-7f;
+const float kLeastHalfChord = 9.5367431640625e-7f;
+
+// Offset of a point off which only its coordinates' rounding can move an origin.
+float clearance(vec3 position, vec3 normal) {
+  precise vec3 along = position * normal;
+  precise float size = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
+  precise float result = size * kClearanceScale + kLeastClearance;
+  return result;
+}
 
 // Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t itself
-// anywhere in a small and far sphere, or outside. +y without a hit.
+// anywhere in a small and far sphere, or outside. Without meaning for a miss.
 vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
-  precise SphereLine line = lineThrough(ray, sphere);
+  precise SphereLine line = sphereLineOf(ray, sphere);
   precise SphereChord chord = chordOf(line, sphere.radius);
   precise float sinceEntry = t - chord.entry;
   precise float untilExit = chord.exit - t;
   precise bool entering = chord.entry >= ray.tmin && sinceEntry <= untilExit;
-  precise float aside = greatest(chord.aside, kLeastAside);
-  precise float step = select(entering, -aside, aside);
-  precise vec3 unit = line.nearest + ray.direction * step;
-  precise vec3 result = select(line.squared >= 0.0f, unit, vec3(0.0f, 1.0f, 0.0f));
+  precise float halfChord = greatest(kLeastHalfChord, chord.halfChord);
+  precise float step = select(entering, -halfChord, halfChord);
+  precise vec3 result = line.nearest + ray.direction * step;
   return result;
 }
 
@@ -71,61 +81,56 @@ Surface chosenSphereSurface(Ray ray, float t, Sphere sphere) {
   return sphereSurface(ray, t, sphere);
 }
 
-// How far the slab plane at `bound` is from being the one that was hit, and the best so far.
-struct FaceChoice {
-  float error;
-  vec3 normal;
+// A face of a box: of its z slab if of neither other, and the side on which its outside lies, -1 or 1.
+struct BoxFace {
+  bool ofX;
+  bool ofY;
+  float outward;
 };
 
-FaceChoice closerFace(FaceChoice best, float t, float planeT, vec3 normal) {
-  precise float difference = planeT - t;
-  precise float error = absolute(difference);
-  precise bool better = error < best.error;
-  precise FaceChoice result =
-      FaceChoice(select(better, error, best.error), select(better, normal, best.normal));
+// The face by which the ray enters or leaves, whichever is closer to t; of two that coincide (a box
+// without thickness) the one by which it enters. Some face for a miss.
+BoxFace hitFace(Ray ray, float t, Box box) {
+  precise Slabs slabs = slabsOf(ray, box);
+  precise float sinceEntry = t - slabs.entry;
+  precise float untilExit = slabs.exit - t;
+  precise bool entering = slabs.entry >= ray.tmin && sinceEntry <= absolute(untilExit);
+  precise float bound = select(entering, slabs.entry, slabs.exit);
+  precise bool ofX = select(entering, slabs.near.x, slabs.far.x) == bound;
+  precise bool ofY = !ofX && select(entering, slabs.near.y, slabs.far.y) == bound;
+  precise float along = select(ofX, ray.direction.x, select(ofY, ray.direction.y, ray.direction.z));
+  precise bool toMinimum = (along < 0.0f) != entering;
+  precise BoxFace result = BoxFace(ofX, ofY, select(toMinimum, -1.0f, 1.0f));
   return result;
 }
 
-// The face whose plane distance, computed as in intersectBoxRobust, is t. The near faces come first,
-// so that one that coincides with a far face (a box without thickness) is the one that was hit. NaN
-// never is the closer.
-FaceChoice hitFace(Ray ray, float t, Box box) {
-  precise bool backX = ray.direction.x < 0.0f;
-  precise bool backY = ray.direction.y < 0.0f;
-  precise bool backZ = ray.direction.z < 0.0f;
-  precise float x = select(backX, 1.0f, -1.0f);
-  precise float y = select(backY, 1.0f, -1.0f);
-  precise float z = select(backZ, 1.0f, -1.0f);
-  precise vec3 low = (box.minimum - ray.origin) * ray.inverse;
-  precise vec3 high = (box.maximum - ray.origin) * ray.inverse;
-  precise FaceChoice best = FaceChoice(kInfinity, vec3(0.0f, 1.0f, 0.0f));
-  best = closerFace(best, t, select(backX, high.x, low.x), vec3(x, 0.0f, 0.0f));
-  best = closerFace(best, t, select(backY, high.y, low.y), vec3(0.0f, y, 0.0f));
-  best = closerFace(best, t, select(backZ, high.z, low.z), vec3(0.0f, 0.0f, z));
-  best = closerFace(best, t, select(backX, low.x, high.x), vec3(-x, 0.0f, 0.0f));
-  best = closerFace(best, t, select(backY, low.y, high.y), vec3(0.0f, -y, 0.0f));
-  best = closerFace(best, t, select(backZ, low.z, high.z), vec3(0.0f, 0.0f, -z));
-  return best;
-}
-
-// The coordinate on the hit face: exactly the bound on the face's axis, held inside the box on the
-// others.
-float snapToFace(float x, float low, float high, float outward) {
-  precise float held = clampTo(x, low, high);
-  precise float lowOrHeld = select(outward < 0.0f, low, held);
-  precise float result = select(outward > 0.0f, high, lowOrHeld);
+// The component of v along the face's axis.
+float alongFace(BoxFace face, vec3 v) {
+  precise float result = select(face.ofX, v.x, select(face.ofY, v.y, v.z));
   return result;
 }
 
+vec3 faceNormal(BoxFace face) {
+  precise bool ofZ = !face.ofX && !face.ofY;
+  precise vec3 result = vec3(select(face.ofX, face.outward, 0.0f), select(face.ofY, face.outward, 0.0f),
+                             select(ofZ, face.outward, 0.0f));
+  return result;
+}
+
+// The point is on the face exactly, and held inside the box's other slabs.
 Surface boxSurface(Ray ray, float t, Box box) {
-  precise vec3 normal = hitFace(ray, t, box).normal;
+  precise BoxFace face = hitFace(ray, t, box);
+  precise bool ofZ = !face.ofX && !face.ofY;
+  precise bool outward = face.outward > 0.0f;
+  precise vec3 bound = select(outward, box.maximum, box.minimum);
   precise vec3 p = pointAt(ray, t);
-  precise vec3 position = vec3(snapToFace(p.x, box.minimum.x, box.maximum.x, normal.x),
-                               snapToFace(p.y, box.minimum.y, box.maximum.y, normal.y),
-                               snapToFace(p.z, box.minimum.z, box.maximum.z, normal.z));
-  precise float low = largestCoordinate(box.minimum);
-  precise float offset = greatest(low, largestCoordinate(box.maximum)) * kOffsetScale;
-  precise Surface result = Surface(position, normal, offset);
+  precise float x = clampTo(p.x, box.minimum.x, box.maximum.x);
+  precise float y = clampTo(p.y, box.minimum.y, box.maximum.y);
+  precise float z = clampTo(p.z, box.minimum.z, box.maximum.z);
+  precise vec3 position =
+      vec3(select(face.ofX, bound.x, x), select(face.ofY, bound.y, y), select(ofZ, bound.z, z));
+  precise vec3 normal = faceNormal(face);
+  precise Surface result = Surface(position, normal, clearance(position, normal));
   return result;
 }
 
@@ -161,21 +166,36 @@ Surface chosenBoxSurface(Ray ray, float t, Box box) {
   return boxSurface(ray, t, box);
 }
 
-// The point is brought to the slab's plane along the slab's axis, which need be neither unit nor
+// The point is brought to the face's plane along the face's axis, which need be neither unit nor
 // orthogonal to the others; the normal is as long as that axis.
 Surface orientedBoxSurface(Ray ray, float t, OrientedBox box) {
-  precise Surface local = chosenBoxSurface(toLocalRay(ray, box), t, toLocalBox(box));
-  precise vec3 normal = toWorldDirection(box, local.normal);
+  precise BoxFace face = hitFace(toLocalRay(ray, box), t, toLocalBox(box));
+  precise vec3 axis = select(face.ofX, box.axisX, select(face.ofY, box.axisY, box.axisZ));
+  precise vec3 normal = axis * face.outward;
   precise vec3 p = pointAt(ray, t);
   precise vec3 from = p - box.center;
-  precise vec3 axis = local.normal * local.normal;
-  precise float beyond = dot3(from, normal) - dot3(axis, box.halfSize);
-  precise vec3 position = p - normal * divide(beyond, dot3(normal, normal));
-  precise float reach = greatest(largestCoordinate(position), largestCoordinate(box.center));
-  precise float scaled = reach * kOffsetScale;
-  precise float offset = select(kIntersectorReport, kReportOffset, scaled);
+  precise float beyond = dot3(from, normal) - alongFace(face, box.halfSize);
+  precise vec3 axisSquared = vec3(dot3(box.axisX, box.axisX), dot3(box.axisY, box.axisY),
+                                  dot3(box.axisZ, box.axisZ));
+  precise vec3 position = p - normal * divide(beyond, alongFace(face, axisSquared));
+  precise float size = (box.halfSize.x + box.halfSize.y) + box.halfSize.z;
+  precise float offset = (largestCoordinate(box.center) + size) * kOffsetScale;
   precise Surface result = Surface(position, normal, offset);
   return result;
+}
+
+Surface reportOrientedBoxSurface(Ray ray, float t, OrientedBox box) {
+  precise Surface local = reportBoxSurface(toLocalRay(ray, box), t, toLocalBox(box));
+  precise vec3 normal = toWorldDirection(box, local.normal);
+  precise Surface result = Surface(pointAt(ray, t), normal, kReportOffset);
+  return result;
+}
+
+Surface chosenOrientedBoxSurface(Ray ray, float t, OrientedBox box) {
+  if (kIntersectorReport) {
+    return reportOrientedBoxSurface(ray, t, box);
+  }
+  return orientedBoxSurface(ray, t, box);
 }
 
 // p moved along the unit normal onto the plane through `point`.
@@ -190,11 +210,20 @@ vec3 broughtToPlane(vec3 p, vec3 point, vec3 normal) {
 
 Surface planeSurface(Ray ray, float t, Plane plane) {
   precise vec3 position = broughtToPlane(pointAt(ray, t), plane.point, plane.normal);
-  precise vec3 along = position * plane.normal;
-  precise float rounding = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
-  precise float offset = rounding * kPlaneOffsetScale + kLeastOffset;
-  precise Surface result = Surface(position, plane.normal, offset);
+  precise Surface result = Surface(position, plane.normal, clearance(position, plane.normal));
   return result;
+}
+
+Surface reportPlaneSurface(Ray ray, float t, Plane plane) {
+  precise Surface result = Surface(pointAt(ray, t), plane.normal, kReportOffset);
+  return result;
+}
+
+Surface chosenPlaneSurface(Ray ray, float t, Plane plane) {
+  if (kIntersectorReport) {
+    return reportPlaneSurface(ray, t, plane);
+  }
+  return planeSurface(ray, t, plane);
 }
 
 Surface chosenSurface(bool condition, Surface a, Surface b) {
@@ -231,7 +260,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
     precise bool here = hit.primitive >= first && hit.primitive < first + kOrientedBoxCount;
     if (anyLane(here)) {
       precise OrientedBox box = visitedOrientedBox(select(here, hit.primitive - first, 0));
-      precise Surface found = orientedBoxSurface(ray, hit.t, box);
+      precise Surface found = chosenOrientedBoxSurface(ray, hit.t, box);
       result = chosenSurface(here, found, result);
     }
   }
@@ -240,13 +269,9 @@ Surface surfaceAt(Ray ray, Hit hit) {
     precise bool here = hit.primitive >= first && hit.primitive < first + kPlaneCount;
     if (anyLane(here)) {
       precise Plane plane = visitedPlane(select(here, hit.primitive - first, 0));
-      precise Surface found = planeSurface(ray, hit.t, plane);
+      precise Surface found = chosenPlaneSurface(ray, hit.t, plane);
       result = chosenSurface(here, found, result);
     }
-  }
-  if (kIntersectorReport) {
-    result.position = pointAt(ray, hit.t);
-    result.offset = kReportOffset;
   }
   return result;
 }

@@ -175,7 +175,7 @@ Plane<R> withUnitNormal(const Plane<R>& plane) {
 template <class R>
 Surface<R> orientedCaseSurface(const SceneView& scene, const Ray<R>& ray, R t,
                                const OrientedBox<R>& box) {
-  Surface<R> surface = orientedBoxSurface(scene, ray, t, box);
+  Surface<R> surface = chosenOrientedBoxSurface(scene, ray, t, box);
   surface.normal = unitOf(surface.normal);
   return surface;
 }
@@ -191,7 +191,7 @@ Surface<R> caseSurface(const SceneView& scene, const Ray<R>& ray, R t, int texel
     case kCaseOrientedBox:
       return orientedCaseSurface(scene, ray, t, fetchCaseOrientedBox<R>(scene, texel, scale));
     case kCasePlane:
-      return planeSurface(ray, t, withUnitNormal(fetchCasePlane<R>(scene, texel, scale)));
+      return chosenPlaneSurface(scene, ray, t, withUnitNormal(fetchCasePlane<R>(scene, texel, scale)));
     default:
       return triangleSurface(ray, t, fetchCaseTriangle<R>(scene, texel, scale));
   }

@@ -18,14 +18,14 @@ struct SphereLine {
   Vec3<R> nearest;  ///< the line's point nearest to the center
   R t;              ///< the ray's t at a point of the line near that one
   R ahead;          ///< step along the direction from there to the nearest point
-  R squared;  ///< of the step from the nearest point to either hit; below 0 for a line that misses
+  R halfChordSquared;  ///< of the step from there to either hit; below 0 for a line that misses
 };
 
 /// Where the line meets the sphere: the step from the nearest point to either hit, and the hits' t.
 /// Without meaning for a line that misses.
 template <class R>
 struct SphereChord {
-  R aside;
+  R halfChord;
   R entry;
   R exit;
 };
@@ -36,16 +36,17 @@ struct SphereChord {
 /// @param ray its direction's largest component is within [0.5, 2).
 /// @param sphere never hit if its radius is 0.
 template <class R>
-SphereLine<R> lineThrough(const Ray<R>& ray, const Sphere<R>& sphere) {
+SphereLine<R> sphereLineOf(const Ray<R>& ray, const Sphere<R>& sphere) {
   const Vec3<R>& d = ray.direction;
   const Vec3<R> f = ray.origin - sphere.center;
   const R inverse = divide(R(1.0f), dot3(d, d));
   const R t = -dot3(f, d) * inverse;
   const Vec3<WiderOf<R>> from = wider3(ray.origin) - wider3(sphere.center);
   // 1 / radius would be denormal for the largest radii, and flushed to zero; 4 / radius never is.
-  const WiderOf<R> scale = wider(divide(R(4.0f), sphere.radius)) * WiderOf<R>(0.25f);
-  const Vec3<WiderOf<R>> near = (from + wider3(d) * wider(t)) * scale;
-  const Vec3<R> foot(rounded<R>(near.x), rounded<R>(near.y), rounded<R>(near.z));
+  const R scale = divide(R(4.0f), sphere.radius);
+  const Vec3<WiderOf<R>> exact = from + wider3(d) * wider(t);
+  const Vec3<R> close(rounded<R>(exact.x), rounded<R>(exact.y), rounded<R>(exact.z));
+  const Vec3<R> foot = (close * scale) * R(0.25f);
   const R ahead = -dot3(foot, d) * inverse;
   const Vec3<R> nearest = foot + d * ahead;
   return {nearest, t, ahead, (R(1.0f) - dot3(nearest, nearest)) * inverse};
@@ -53,38 +54,64 @@ SphereLine<R> lineThrough(const Ray<R>& ray, const Sphere<R>& sphere) {
 
 template <class R>
 SphereChord<R> chordOf(const SphereLine<R>& line, R radius) {
-  const R aside = squareRoot(line.squared);
-  return {aside, line.t + (line.ahead - aside) * radius, line.t + (line.ahead + aside) * radius};
+  const R halfChord = squareRoot(line.halfChordSquared);
+  return {halfChord, line.t + (line.ahead - halfChord) * radius, line.t + (line.ahead + halfChord) * radius};
 }
 
 template <class R>
 R intersectSphereRobust(const Ray<R>& ray, const Sphere<R>& sphere) {
-  const SphereLine<R> line = lineThrough(ray, sphere);
-  const MaskOf<R> meets = line.squared >= R(0.0f);
+  const SphereLine<R> line = sphereLineOf(ray, sphere);
+  const MaskOf<R> meets = line.halfChordSquared >= R(0.0f);
   if (!anyLane(meets)) return R(kInfinity);  // as most rays do
   const SphereChord<R> chord = chordOf(line, sphere.radius);
   const R t = select(chord.entry >= ray.tmin, chord.entry, chord.exit);
   return select(meets && t >= ray.tmin, t, R(kInfinity));
 }
 
-/// Kay and Kajiya 1986 slabs; near and far plane by the direction's sign, zero components by an
-/// infinite inverse whose NaN on a face is dropped.
+/// Distances along a ray to the planes of a box's slabs, and the interval between the last that
+/// enters and the first that leaves.
 template <class R>
-R intersectBoxRobust(const Ray<R>& ray, const Box<R>& box) {
+struct Slabs {
+  Vec3<R> near;
+  Vec3<R> far;
+  R entry;
+  R exit;
+};
+
+/// What shaders/intersect_robust.glsl has to compute.
+template <class R>
+R computedInfinity(const Ray<R>& ray) {
+  static_cast<void>(ray);
+  return R(kInfinity);
+}
+
+/// Kay and Kajiya 1986; near and far plane by the direction's sign, zero components by an infinite
+/// inverse whose NaN on a face is dropped.
+template <class R>
+Slabs<R> slabsOf(const Ray<R>& ray, const Box<R>& box) {
   const MaskOf<R> backX = ray.direction.x < R(0.0f);
   const MaskOf<R> backY = ray.direction.y < R(0.0f);
   const MaskOf<R> backZ = ray.direction.z < R(0.0f);
-  const R nearX = (select(backX, box.maximum.x, box.minimum.x) - ray.origin.x) * ray.inverse.x;
-  const R nearY = (select(backY, box.maximum.y, box.minimum.y) - ray.origin.y) * ray.inverse.y;
-  const R nearZ = (select(backZ, box.maximum.z, box.minimum.z) - ray.origin.z) * ray.inverse.z;
-  const R farX = (select(backX, box.minimum.x, box.maximum.x) - ray.origin.x) * ray.inverse.x;
-  const R farY = (select(backY, box.minimum.y, box.maximum.y) - ray.origin.y) * ray.inverse.y;
-  const R farZ = (select(backZ, box.minimum.z, box.maximum.z) - ray.origin.z) * ray.inverse.z;
-  const R entry = greatest(greatest(greatest(R(-kInfinity), nearX), nearY), nearZ);
-  const R exit = least(least(least(R(kInfinity), farX), farY), farZ);
-  const R widened = exit * (R(1.0f) + errorBound<R>(kSlabWidening));
-  const R t = select(entry < ray.tmin, exit, entry);
-  const MaskOf<R> valid = entry <= widened && t >= ray.tmin;
+  const Vec3<R> first(select(backX, box.maximum.x, box.minimum.x),
+                      select(backY, box.maximum.y, box.minimum.y),
+                      select(backZ, box.maximum.z, box.minimum.z));
+  const Vec3<R> last(select(backX, box.minimum.x, box.maximum.x),
+                     select(backY, box.minimum.y, box.maximum.y),
+                     select(backZ, box.minimum.z, box.maximum.z));
+  const Vec3<R> near = (first - ray.origin) * ray.inverse;
+  const Vec3<R> far = (last - ray.origin) * ray.inverse;
+  const R unbounded = computedInfinity(ray);
+  const R entry = greatest(greatest(greatest(-unbounded, near.x), near.y), near.z);
+  const R exit = least(least(least(unbounded, far.x), far.y), far.z);
+  return {near, far, entry, exit};
+}
+
+template <class R>
+R intersectBoxRobust(const Ray<R>& ray, const Box<R>& box) {
+  const Slabs<R> slabs = slabsOf(ray, box);
+  const R widened = slabs.exit * (R(1.0f) + errorBound<R>(kSlabWidening));
+  const R t = select(slabs.entry < ray.tmin, slabs.exit, slabs.entry);
+  const MaskOf<R> valid = slabs.entry <= widened && t >= ray.tmin;
   return select(valid, t, R(kInfinity));
 }
 

@@ -18,11 +18,11 @@ struct Surface {
 /// 12 units of 2^-24: see shaders/surface.glsl.
 inline constexpr float kOffsetScale = 7.2e-7f;
 /// 2.5 units of 2^-24: see shaders/surface.glsl.
-inline constexpr float kPlaneOffsetScale = 1.5e-7f;
-/// Parts an origin from a plane through the scene's origin: see shaders/surface.glsl.
-inline constexpr float kLeastOffset = 1e-30f;
+inline constexpr float kClearanceScale = 1.5e-7f;
+/// Parts an origin from a surface at the scene's origin: see shaders/surface.glsl.
+inline constexpr float kLeastClearance = 1e-30f;
 /// A tangent's least step, in radii, from the nearest point to its hit: see shaders/surface.glsl.
-inline constexpr float kLeastAside = 0x1p-20f;
+inline constexpr float kLeastHalfChord = 0x1p-20f;
 /// The report's fixed offset, in scene units.
 inline constexpr float kReportOffset = 1e-4f;
 
@@ -31,16 +31,23 @@ R largestCoordinate(const Vec3<R>& v) {
   return largestComponent(Vec3<R>(absolute(v.x), absolute(v.y), absolute(v.z)));
 }
 
+/// Offset of a point off which only its coordinates' rounding can move an origin.
+template <class R>
+R clearance(const Vec3<R>& position, const Vec3<R>& normal) {
+  const Vec3<R> along = position * normal;
+  const R size = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
+  return size * errorBound<R>(kClearanceScale) + R(kLeastClearance);
+}
+
 /// Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t
-/// itself anywhere in a small and far sphere, or outside. +y without a hit.
+/// itself anywhere in a small and far sphere, or outside. Without meaning for a miss.
 template <class R>
 Vec3<R> sphereNormal(const Ray<R>& ray, R t, const Sphere<R>& sphere) {
-  const SphereLine<R> line = lineThrough(ray, sphere);
+  const SphereLine<R> line = sphereLineOf(ray, sphere);
   const SphereChord<R> chord = chordOf(line, sphere.radius);
   const MaskOf<R> entering = chord.entry >= ray.tmin && t - chord.entry <= chord.exit - t;
-  const R aside = greatest(chord.aside, R(kLeastAside));
-  const Vec3<R> unit = line.nearest + ray.direction * select(entering, -aside, aside);
-  return select(line.squared >= R(0.0f), unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
+  const R halfChord = greatest(R(kLeastHalfChord), chord.halfChord);
+  return line.nearest + ray.direction * select(entering, -halfChord, halfChord);
 }
 
 template <class R>
@@ -65,62 +72,58 @@ Surface<R> chosenSphereSurface(const SceneView& scene, const Ray<R>& ray, R t,
   return sphereSurface(ray, t, sphere);
 }
 
-/// How far the best face's plane is from being the one that was hit, and its normal.
+/// A face of a box: of its z slab if of neither other, and the side on which its outside lies, -1 or
+/// 1.
 template <class R>
-struct FaceChoice {
-  R error;
-  Vec3<R> normal;
+struct BoxFace {
+  MaskOf<R> ofX;
+  MaskOf<R> ofY;
+  R outward;
 };
 
+/// The face by which the ray enters or leaves, whichever is closer to t; of two that coincide the one
+/// by which it enters. Some face for a miss.
 template <class R>
-FaceChoice<R> closerFace(const FaceChoice<R>& best, R t, R planeT, const Vec3<R>& normal) {
-  const R error = absolute(planeT - t);
-  const MaskOf<R> better = error < best.error;
-  return {select(better, error, best.error), select(better, normal, best.normal)};
+BoxFace<R> hitFace(const Ray<R>& ray, R t, const Box<R>& box) {
+  const Slabs<R> slabs = slabsOf(ray, box);
+  const MaskOf<R> entering =
+      slabs.entry >= ray.tmin && t - slabs.entry <= absolute(slabs.exit - t);
+  const R bound = select(entering, slabs.entry, slabs.exit);
+  const MaskOf<R> ofX = select(entering, slabs.near.x, slabs.far.x) == bound;
+  const MaskOf<R> ofY = !ofX && select(entering, slabs.near.y, slabs.far.y) == bound;
+  const R along = select(ofX, ray.direction.x, select(ofY, ray.direction.y, ray.direction.z));
+  const MaskOf<R> toMinimum = (along < R(0.0f)) != entering;
+  return {ofX, ofY, select(toMinimum, R(-1.0f), R(1.0f))};
 }
 
-/// The face whose plane distance, computed as in intersectBoxRobust, is t; of two that coincide the
-/// near one.
+/// The component of v along the face's axis.
 template <class R>
-FaceChoice<R> hitFace(const Ray<R>& ray, R t, const Box<R>& box) {
+R alongFace(const BoxFace<R>& face, const Vec3<R>& v) {
+  return select(face.ofX, v.x, select(face.ofY, v.y, v.z));
+}
+
+template <class R>
+Vec3<R> faceNormal(const BoxFace<R>& face) {
   const R zero(0.0f);
-  const R one(1.0f);
-  const MaskOf<R> backX = ray.direction.x < zero;
-  const MaskOf<R> backY = ray.direction.y < zero;
-  const MaskOf<R> backZ = ray.direction.z < zero;
-  const R x = select(backX, one, -one);
-  const R y = select(backY, one, -one);
-  const R z = select(backZ, one, -one);
-  const Vec3<R> low = (box.minimum - ray.origin) * ray.inverse;
-  const Vec3<R> high = (box.maximum - ray.origin) * ray.inverse;
-  FaceChoice<R> best{R(kInfinity), Vec3<R>(zero, one, zero)};
-  best = closerFace(best, t, select(backX, high.x, low.x), Vec3<R>(x, zero, zero));
-  best = closerFace(best, t, select(backY, high.y, low.y), Vec3<R>(zero, y, zero));
-  best = closerFace(best, t, select(backZ, high.z, low.z), Vec3<R>(zero, zero, z));
-  best = closerFace(best, t, select(backX, low.x, high.x), Vec3<R>(-x, zero, zero));
-  best = closerFace(best, t, select(backY, low.y, high.y), Vec3<R>(zero, -y, zero));
-  best = closerFace(best, t, select(backZ, low.z, high.z), Vec3<R>(zero, zero, -z));
-  return best;
+  const MaskOf<R> ofZ = !face.ofX && !face.ofY;
+  return Vec3<R>(select(face.ofX, face.outward, zero), select(face.ofY, face.outward, zero),
+                 select(ofZ, face.outward, zero));
 }
 
-/// The coordinate on the hit face: the bound on the face's axis, held inside the box on the others.
-template <class R>
-R snapToFace(R x, R low, R high, R outward) {
-  const R held = clampTo(x, low, high);
-  const R lowOrHeld = select(outward < R(0.0f), low, held);
-  return select(outward > R(0.0f), high, lowOrHeld);
-}
-
+/// The point is on the face exactly, and held inside the box's other slabs.
 template <class R>
 Surface<R> boxSurface(const Ray<R>& ray, R t, const Box<R>& box) {
-  const Vec3<R> normal = hitFace(ray, t, box).normal;
+  const BoxFace<R> face = hitFace(ray, t, box);
+  const MaskOf<R> ofZ = !face.ofX && !face.ofY;
+  const Vec3<R> bound = select(face.outward > R(0.0f), box.maximum, box.minimum);
   const Vec3<R> p = pointAt(ray, t);
-  const Vec3<R> position(snapToFace(p.x, box.minimum.x, box.maximum.x, normal.x),
-                         snapToFace(p.y, box.minimum.y, box.maximum.y, normal.y),
-                         snapToFace(p.z, box.minimum.z, box.maximum.z, normal.z));
-  const R low = largestCoordinate(box.minimum);
-  const R offset = greatest(low, largestCoordinate(box.maximum)) * errorBound<R>(kOffsetScale);
-  return {position, normal, offset};
+  const R x = clampTo(p.x, box.minimum.x, box.maximum.x);
+  const R y = clampTo(p.y, box.minimum.y, box.maximum.y);
+  const R z = clampTo(p.z, box.minimum.z, box.maximum.z);
+  const Vec3<R> position(select(face.ofX, bound.x, x), select(face.ofY, bound.y, y),
+                         select(ofZ, bound.z, z));
+  const Vec3<R> normal = faceNormal(face);
+  return {position, normal, clearance(position, normal)};
 }
 
 /// The report's box normal: axes on which the point lies within 1e-4 of a face, added and
@@ -153,21 +156,34 @@ Surface<R> chosenBoxSurface(const SceneView& scene, const Ray<R>& ray, R t, cons
   return boxSurface(ray, t, box);
 }
 
-/// The point is brought to the slab's plane along the slab's axis, which need be neither unit nor
+/// The point is brought to the face's plane along the face's axis, which need be neither unit nor
 /// orthogonal to the others; the normal is as long as that axis.
 template <class R>
-Surface<R> orientedBoxSurface(const SceneView& scene, const Ray<R>& ray, R t,
-                              const OrientedBox<R>& box) {
-  const Surface<R> local = chosenBoxSurface(scene, toLocalRay(ray, box), t, toLocalBox(box));
-  const Vec3<R> normal = toWorldDirection(box, local.normal);
+Surface<R> orientedBoxSurface(const Ray<R>& ray, R t, const OrientedBox<R>& box) {
+  const BoxFace<R> face = hitFace(toLocalRay(ray, box), t, toLocalBox(box));
+  const Vec3<R> axis = select(face.ofX, box.axisX, select(face.ofY, box.axisY, box.axisZ));
+  const Vec3<R> normal = axis * face.outward;
   const Vec3<R> p = pointAt(ray, t);
-  const Vec3<R> from = p - box.center;
-  const R beyond = dot3(from, normal) - dot3(local.normal * local.normal, box.halfSize);
-  const Vec3<R> position = p - normal * divide(beyond, dot3(normal, normal));
-  const R reach = greatest(largestCoordinate(position), largestCoordinate(box.center));
-  const R scaled = reach * errorBound<R>(kOffsetScale);
-  const R offset = scene.intersectorReport ? R(kReportOffset) : scaled;
+  const R beyond = dot3(p - box.center, normal) - alongFace(face, box.halfSize);
+  const Vec3<R> axisSquared(dot3(box.axisX, box.axisX), dot3(box.axisY, box.axisY),
+                            dot3(box.axisZ, box.axisZ));
+  const Vec3<R> position = p - normal * divide(beyond, alongFace(face, axisSquared));
+  const R size = (box.halfSize.x + box.halfSize.y) + box.halfSize.z;
+  const R offset = (largestCoordinate(box.center) + size) * errorBound<R>(kOffsetScale);
   return {position, normal, offset};
+}
+
+template <class R>
+Surface<R> reportOrientedBoxSurface(const Ray<R>& ray, R t, const OrientedBox<R>& box) {
+  const Surface<R> local = reportBoxSurface(toLocalRay(ray, box), t, toLocalBox(box));
+  return {pointAt(ray, t), toWorldDirection(box, local.normal), R(kReportOffset)};
+}
+
+template <class R>
+Surface<R> chosenOrientedBoxSurface(const SceneView& scene, const Ray<R>& ray, R t,
+                                    const OrientedBox<R>& box) {
+  if (scene.intersectorReport) return reportOrientedBoxSurface(ray, t, box);
+  return orientedBoxSurface(ray, t, box);
 }
 
 /// p moved along the unit normal onto the plane through `point`.
@@ -184,10 +200,19 @@ Vec3<R> broughtToPlane(const Vec3<R>& p, const Vec3<R>& point, const Vec3<R>& no
 template <class R>
 Surface<R> planeSurface(const Ray<R>& ray, R t, const Plane<R>& plane) {
   const Vec3<R> position = broughtToPlane(pointAt(ray, t), plane.point, plane.normal);
-  const Vec3<R> along = position * plane.normal;
-  const R rounding = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
-  const R offset = rounding * errorBound<R>(kPlaneOffsetScale) + R(kLeastOffset);
-  return {position, plane.normal, offset};
+  return {position, plane.normal, clearance(position, plane.normal)};
+}
+
+template <class R>
+Surface<R> reportPlaneSurface(const Ray<R>& ray, R t, const Plane<R>& plane) {
+  return {pointAt(ray, t), plane.normal, R(kReportOffset)};
+}
+
+template <class R>
+Surface<R> chosenPlaneSurface(const SceneView& scene, const Ray<R>& ray, R t,
+                              const Plane<R>& plane) {
+  if (scene.intersectorReport) return reportPlaneSurface(ray, t, plane);
+  return planeSurface(ray, t, plane);
 }
 
 template <class R>
@@ -227,7 +252,7 @@ Surface<R> surfaceAt(const SceneView& scene, const Ray<R>& ray, const Hit<R>& hi
     if (anyLane(here)) {
       const OrientedBox<R> box =
           visitedOrientedBox<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
-      result = chosenSurface(here, orientedBoxSurface(scene, ray, hit.t, box), result);
+      result = chosenSurface(here, chosenOrientedBoxSurface(scene, ray, hit.t, box), result);
     }
   }
   first += index.orientedBoxCount;
@@ -236,12 +261,8 @@ Surface<R> surfaceAt(const SceneView& scene, const Ray<R>& ray, const Hit<R>& hi
         hit.primitive >= Int(first) && hit.primitive < Int(first + index.planeCount);
     if (anyLane(here)) {
       const Plane<R> plane = visitedPlane<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
-      result = chosenSurface(here, planeSurface(ray, hit.t, plane), result);
+      result = chosenSurface(here, chosenPlaneSurface(scene, ray, hit.t, plane), result);
     }
-  }
-  if (scene.intersectorReport) {
-    result.position = pointAt(ray, hit.t);
-    result.offset = R(kReportOffset);
   }
   return result;
 }

@@ -34,6 +34,7 @@ struct WideMask {
 
   friend TWINTRACE_INLINE WideMask operator&&(WideMask a, WideMask b) { return a.value && b.value; }
   friend TWINTRACE_INLINE WideMask operator||(WideMask a, WideMask b) { return a.value || b.value; }
+  friend TWINTRACE_INLINE WideMask operator!=(WideMask a, WideMask b) { return a.value ^ b.value; }
   friend TWINTRACE_INLINE WideMask operator!(WideMask a) { return !a.value; }
 };
 

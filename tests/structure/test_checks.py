@@ -61,7 +61,7 @@ class Planted(unittest.TestCase):
 
     def test_branches_that_return_calls(self):
         self.plant("shaders/cases.glsl", "    result = chosenSphereSurface(", "    return chosenSphereSurface(")
-        self.plant("shaders/cases.glsl", "    result = planeSurface(", "    return planeSurface(")
+        self.plant("shaders/cases.glsl", "    result = chosenPlaneSurface(", "    return chosenPlaneSurface(")
         self.assert_found("precise", "another branch of caseSurface returns a call")
 
     def test_return_that_computes(self):
