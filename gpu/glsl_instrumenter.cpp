@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/words.h"
+
 namespace twintrace {
 namespace {
 
@@ -39,10 +41,6 @@ std::string wordOf(const TraceSlot& slot) {
       break;
   }
   return slot.path;
-}
-
-bool isWordChar(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 /// The text with all white space made single blanks.

@@ -6,13 +6,10 @@
 #include <span>
 
 #include "common/base/wording.h"
+#include "common/base/words.h"
 
 namespace twintrace {
 namespace {
-
-bool isWordChar(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 void blank(std::string& text, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {

@@ -30,7 +30,8 @@ void traceKeep() {
 constexpr std::uint32_t kBinding = 2;
 constexpr std::size_t kHeaderWords = 1;  // the count
 
-constexpr std::uint32_t kMostEvents = 60000;  // the work grows with the square of their number
+// In whole batches. The work grows with the square of their number.
+constexpr std::uint32_t kMostEvents = 30 * kTraceBatch;
 
 }  // namespace
 

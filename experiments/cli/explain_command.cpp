@@ -62,7 +62,9 @@ class ExplainCommand {
     const ArmOptions options{armOptions(scene.render, "cpu", listA_),
                              armOptions(scene.render, "gpu", listB_)};
     checkArms(options);
-    ExplainedSample about{parsePixel(pixel_, options.a), sample_.value_or(0), {}, ""};
+    ExplainedSample about;
+    about.pixel = parsePixel(pixel_, options.a);
+    about.sample = sample_.value_or(0);
     checkSample(options.a);
     checkAnswer(answer_);
     Arm armA = openArm(scene, options.a);
@@ -76,13 +78,14 @@ class ExplainCommand {
       result = explain(*a, *b, about);
     }
     const PlainSample plain = renderPlainSample(armA, armB, about.pixel, about.sample);
+    about.renderedAlike = !plain.differs();
     addNotes("a", options.a, result->traceA, about);
     addNotes("b", options.b, result->traceB, about);
     for (std::string& note : traceNotes(plain, *result, native)) about.notes.push_back(note);
     about.replay = probe::replayCommand(scene, options.a, options.b, *result);
     answer(console_, answer_, explanationJson(*armA.scene, about, *result),
            explanationText(*armA.scene, about, *result));
-    return result->sameRadiance && !plain.differs() ? kAgree : kDiffer;
+    return result->sameRadiance && about.renderedAlike ? kAgree : kDiffer;
   }
 
  private:

@@ -152,7 +152,9 @@ std::string explanationText(const FlatScene& scene, const ExplainedSample& about
     for (const std::string& event : consequences(e)) text += "then " + event + "\n";
     return text;
   }
-  text += "identical: the sample is the same on both arms\n";
+  text += about.renderedAlike
+              ? "identical: the sample is the same on both arms\n"
+              : "different: the sample is the same only on the traced programs\n";
   if (e.divergence) {
     text += "calls differ, but left no trace in the radiance\n" + divergenceText(about, e);
   }
@@ -164,7 +166,7 @@ Json explanationJson(const FlatScene& scene, const ExplainedSample& about,
   return {{"x", about.pixel.x},
           {"y", about.pixel.y},
           {"sample", about.sample},
-          {"identical", e.sameRadiance},
+          {"identical", e.sameRadiance && about.renderedAlike},
           {"radiance_a", e.traceA.radiance},
           {"radiance_b", e.traceB.radiance},
           {"class", e.sameRadiance ? Json(nullptr) : Json(className(e.kind))},

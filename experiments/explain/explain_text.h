@@ -16,13 +16,16 @@ struct ExplainedSample {
   std::vector<std::string> notes;  ///< what a reader has to know
   /// The command that runs the first differing call alone; empty if there is none.
   std::string replay;
+  /// Whether the arms' plain programs, those without tracing, render the sample alike.
+  bool renderedAlike = true;
 };
 
 /// For people: the path on both arms, the first differing operation, and what followed.
 std::string explanationText(const FlatScene& scene, const ExplainedSample& about,
                             const SampleExplanation& explanation);
 
-/// The same as JSON: `x`, `y`, `sample`, `identical`, `class`, `first` {`function`, ...}, `vertices`.
+/// The same as JSON: `x`, `y`, `sample`, `identical` (on plain and on traced programs), `class`,
+/// `first` {`function`, ...}, `vertices_a`, `vertices_b`.
 Json explanationJson(const FlatScene& scene, const ExplainedSample& about,
                      const SampleExplanation& explanation);
 

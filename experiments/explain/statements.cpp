@@ -1,10 +1,11 @@
 #include "experiments/explain/statements.h"
 
 #include <algorithm>
-#include <cctype>
 #include <deque>
 #include <map>
 #include <set>
+
+#include "common/base/words.h"
 
 namespace twintrace {
 namespace {
@@ -25,10 +26,6 @@ std::map<std::string_view, int> assignments(const TraceProgram& program, int fun
       ++counts[variableOf(site)];
   }
   return counts;
-}
-
-bool isWordChar(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 /// The names in a text, without those of members.

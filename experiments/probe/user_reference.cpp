@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "common/base/error.h"
+#include "common/base/words.h"
 #include "experiments/probe/trial.h"
 #include "experiments/probe/user_compiler.h"
 #include "experiments/probe/user_prelude.h"
@@ -20,10 +21,6 @@ namespace twintrace::probe {
 namespace {
 
 using RunFunction = void(const std::uint32_t*, double*);
-
-bool isWordChar(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 struct Edit {
   std::size_t at;

@@ -1,13 +1,13 @@
 #include "tests/audit/damage.h"
 
 #include <algorithm>
-#include <cctype>
 #include <deque>
 #include <iterator>
 #include <regex>
 
 #include "common/base/error.h"
 #include "common/base/wording.h"
+#include "common/base/words.h"
 #include "gpu/glsl_text.h"
 #include "gpu/shader_source.h"
 
@@ -15,13 +15,10 @@ namespace twintrace::test {
 namespace {
 
 std::set<std::string> namesIn(const std::string& text) {
-  const auto belongs = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-  };
   std::set<std::string> names;
   for (auto at = text.begin(); at != text.end();) {
-    const auto begin = std::find_if(at, text.end(), belongs);
-    at = std::find_if_not(begin, text.end(), belongs);
+    const auto begin = std::find_if(at, text.end(), isWordChar);
+    at = std::find_if_not(begin, text.end(), isWordChar);
     if (begin != at) names.emplace(begin, at);
   }
   return names;

@@ -1,5 +1,6 @@
 #include "experiments/explain/plain_sample.h"
 
+#include "experiments/explain/explain_text.h"
 #include "tests/catch.h"
 
 namespace twintrace::test {
@@ -44,6 +45,17 @@ TEST_CASE("traceNotes vouches for a trace in native maths", "[explain]") {
 
 TEST_CASE("traceNotes is silent in strict maths where all is well", "[explain]") {
   CHECK(notes({kOne, kOther}, kOne, kOther, false).empty());
+}
+
+TEST_CASE("an explanation calls no sample identical that is rendered otherwise", "[explain]") {
+  const FlatScene scene;
+  ExplainedSample about;
+  SampleExplanation explanation;
+  CHECK(explanationJson(scene, about, explanation)["identical"] == true);
+  about.renderedAlike = false;
+  CHECK(explanationJson(scene, about, explanation)["identical"] == false);
+  CHECK_THAT(explanationText(scene, about, explanation),
+             Catch::Contains("different: the sample is the same only on the traced programs"));
 }
 
 }  // namespace twintrace::test
