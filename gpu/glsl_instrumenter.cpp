@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/base/words.h"
+#include "common/base/word_char.h"
 
 namespace twintrace {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "common/base/wording.h"
-#include "common/base/words.h"
+#include "common/base/word_char.h"
 
 namespace twintrace {
 namespace {

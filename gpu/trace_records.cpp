@@ -30,7 +30,7 @@ void traceKeep() {
 constexpr std::uint32_t kBinding = 2;
 constexpr std::size_t kHeaderWords = 1;  // the count
 
-// In whole batches. The work grows with the square of their number.
+// Whole batches, as they are kept. The work grows with the square of their number.
 constexpr std::uint32_t kMostEvents = 30 * kTraceBatch;
 
 }  // namespace

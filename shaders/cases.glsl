@@ -190,7 +190,7 @@ Surface caseSurface(Ray ray, float t, int texel, float scale) {
   } else if (kind == kCasePlane) {
     result = chosenPlaneSurface(ray, t, withUnitNormal(fetchCasePlane(texel, scale)));
   } else {
-    result = triangleSurface(ray, t, fetchCaseTriangle(texel, scale));
+    result = chosenTriangleSurface(ray, t, fetchCaseTriangle(texel, scale));
   }
   return result;
 }

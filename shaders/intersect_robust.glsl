@@ -1,6 +1,6 @@
 // Intersections that stay right far from the origin, at grazing angles, for any direction's length
-// and from inside: no epsilon in scene units. Each returns the first distance t >= tmin, or infinity
-// for a miss.
+// and from inside: no epsilon in scene units. Each returns the first distance t >= tmin, or
+// infinity for a miss.
 #pragma once
 
 #include "ray.glsl"
@@ -14,7 +14,7 @@ struct SphereLine {
   vec3 nearest;   // the line's point nearest to the center
   float t;        // the ray's t at a point of the line near that one
   float ahead;    // step along the direction from there to the nearest point
-  float halfChordSquared;  // of the step from there to either hit; below 0 for a line that misses
+  float halfChordSquared;  // squared step from the nearest point to either hit; below 0 for a miss
 };
 
 // Where the line meets the sphere: the step from the nearest point to either hit, and the hits' t.
@@ -25,11 +25,12 @@ struct SphereChord {
   float exit;
 };
 
-// Haines, Guenther and Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection" (Ray
-// Tracing Gems, ch. 7), who take the discriminant from the line's point nearest to the center. Changed:
-// a point close to it is exact, from products in double; from there on the sphere is a unit sphere seen
-// from close by, for which float is enough, and no length is squared before it is in radii. A sphere of
-// radius 0 is never hit. The direction's largest component is within [0.5, 2).
+// Haines, Guenther and Akenine-Moeller 2019, "Precision Improvements for Ray/Sphere Intersection"
+// (Ray Tracing Gems, ch. 7), who take the discriminant from the line's point nearest to the center.
+// Changed: a point close to it is rounded once, from products in double; from there on the sphere
+// is a unit sphere seen from close by, for which float is enough, and no length is squared before
+// it is in radii. A sphere of radius 0 is never hit. The direction's largest component is within
+// [0.5, 2).
 SphereLine sphereLineOf(Ray ray, Sphere sphere) {
   precise vec3 d = ray.direction;
   precise vec3 f = ray.origin - sphere.center;
@@ -65,8 +66,8 @@ float intersectSphereRobust(Ray ray, Sphere sphere) {
   return result;
 }
 
-// Distances along a ray to the planes of a box's slabs, and the interval between the last that enters
-// and the first that leaves.
+// Distances along a ray to the planes of a box's slabs, and the interval between the last that
+// enters and the first that leaves.
 struct Slabs {
   vec3 near;
   vec3 far;
@@ -74,16 +75,16 @@ struct Slabs {
   float exit;
 };
 
-// Infinity for every ray, which no compiler knows beforehand: of minima and maxima that start from a
-// literal, llvmpipe makes comparisons and selections, which take 5 % of a frame.
+// Infinity for every ray, which no compiler knows beforehand: of minima and maxima that start from
+// a literal, llvmpipe makes comparisons and selections, which take 5 % of a frame.
 float computedInfinity(Ray ray) {
   precise float result = float(floatBitsToInt(ray.inverse.x)) + kInfinity;
   return result;
 }
 
-// Kay and Kajiya 1986. Near and far plane are picked by the direction's sign; a zero component has an
-// infinite inverse, so that an origin outside the slab gives an empty interval, one inside an unbounded
-// one, and one on a face 0 * infinity = NaN, which least and greatest drop.
+// Kay and Kajiya 1986. Near and far plane are picked by the direction's sign; a zero component has
+// an infinite inverse, so that an origin outside the slab gives an empty interval, one inside an
+// unbounded one, and one on a face 0 * infinity = NaN, which least and greatest drop.
 Slabs slabsOf(Ray ray, Box box) {
   precise bool backX = ray.direction.x < 0.0f;
   precise bool backY = ray.direction.y < 0.0f;
@@ -112,8 +113,8 @@ float intersectBoxRobust(Ray ray, Box box) {
   return result;
 }
 
-// t = num / den with no threshold on den, in double, since in a nearly parallel ray's den little is left
-// of its terms: an exactly parallel ray gives infinity or NaN, which is a miss.
+// t = num / den with no threshold on den, in double, since in a nearly parallel ray's den little is
+// left of its terms: an exactly parallel ray gives infinity or NaN, which is a miss.
 float intersectPlaneRobust(Ray ray, Plane plane) {
   precise dvec3 n = dvec3(plane.normal);
   precise dvec3 d = dvec3(ray.direction);

@@ -11,17 +11,22 @@ struct Surface {
 };
 
 // A re-projected point is off by at most about 4 roundings of the largest coordinate involved, and
-// the next intersection errs by as much again: 12 units u = 2^-24. For an oriented box of center c and
-// half size h both in detail: 8 u |h| from the local frame and 2.5 u sum |p_i n_i| from the point p,
-// which is below 10.5 u (h.x + h.y + h.z) + 4.4 u max |c_i|.
+// the next intersection errs by as much again: 12 units of 2^-24.
 const float kOffsetScale = 7.2e-7f;
 
-// Where the next intersection tells exactly on which side of the surface its origin lies (a plane's is in
-// double, a slab's one subtraction), only the rounding of each coordinate moves a point and an origin above
-// it: together by at most 2 units of 2^-24 of the coordinate. 2.5 units leave a margin.
+// Where the next intersection tells exactly on which side of the surface its origin lies (a plane's
+// is in double, a slab's one subtraction), only the rounding of each coordinate moves a point and
+// an origin above it: together by at most 2 units of 2^-24 of the coordinate. 2.5 units leave a
+// margin.
 const float kClearanceScale = 1.5e-7f;
-// Parts an origin from a surface at the scene's origin, where nothing is rounded; far above denormals.
+// Parts an origin from a surface at the scene's origin, where nothing is rounded; far above
+// denormals.
 const float kLeastClearance = 1e-30f;
+
+// Going into an oriented box's frame and out of it costs 4 roundings each of the products that make
+// up the distance from its center: 8.5 units of 2^-24 of their sizes. Its axes are unit to within
+// rounding.
+const float kFrameScale = 5.1e-7f;
 
 // The report's fixed offset, in scene units.
 const float kReportOffset = 1e-4f;
@@ -32,26 +37,32 @@ float largestCoordinate(vec3 v) {
   return result;
 }
 
-// The step from the nearest point to a tangent's hit, in radii: enough for the normal's sign along the ray
-// to be right in spite of rounding, since a flipped one sends the path inside.
-const float kLeastHalfChord = 9.5367431640625e-7f;
-
-// Offset of a point off which only its coordinates' rounding can move an origin.
-float clearance(vec3 position, vec3 normal) {
-  precise vec3 along = position * normal;
-  precise float size = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
-  precise float result = size * kClearanceScale + kLeastClearance;
+// The sizes of the products in v . normal, added up.
+float sizeAlong(vec3 v, vec3 normal) {
+  precise vec3 along = v * normal;
+  precise float result = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
   return result;
 }
 
-// Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t itself
-// anywhere in a small and far sphere, or outside. Without meaning for a miss.
+// Offset of a point off which only its coordinates' rounding can move an origin.
+float clearance(vec3 position, vec3 normal) {
+  precise float result = sizeAlong(position, normal) * kClearanceScale + kLeastClearance;
+  return result;
+}
+
+// The step from the nearest point to a tangent's hit, in radii: enough for the normal's sign along
+// the ray to be right in spite of rounding, since a flipped one sends the path inside.
+const float kLeastHalfChord = 9.5367431640625e-7f;
+
+// Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t
+// itself anywhere in a small and far sphere, or outside. Without meaning for a miss.
 vec3 sphereNormal(Ray ray, float t, Sphere sphere) {
   precise SphereLine line = sphereLineOf(ray, sphere);
   precise SphereChord chord = chordOf(line, sphere.radius);
   precise float sinceEntry = t - chord.entry;
   precise float untilExit = chord.exit - t;
   precise bool entering = chord.entry >= ray.tmin && sinceEntry <= untilExit;
+  // The second, if NaN, is dropped: native maths may evaluate a tangent's line otherwise here.
   precise float halfChord = greatest(kLeastHalfChord, chord.halfChord);
   precise float step = select(entering, -halfChord, halfChord);
   precise vec3 result = line.nearest + ray.direction * step;
@@ -81,7 +92,8 @@ Surface chosenSphereSurface(Ray ray, float t, Sphere sphere) {
   return sphereSurface(ray, t, sphere);
 }
 
-// A face of a box: of its z slab if of neither other, and the side on which its outside lies, -1 or 1.
+// A face of a box: of its z slab if of neither other, and the side on which its outside lies, -1 or
+// 1.
 struct BoxFace {
   bool ofX;
   bool ofY;
@@ -89,7 +101,8 @@ struct BoxFace {
 };
 
 // The face by which the ray enters or leaves, whichever is closer to t; of two that coincide (a box
-// without thickness) the one by which it enters. Some face for a miss.
+// without thickness) the one by which it enters, also where slabs that were widened let it leave
+// before. Some face for a miss.
 BoxFace hitFace(Ray ray, float t, Box box) {
   precise Slabs slabs = slabsOf(ray, box);
   precise float sinceEntry = t - slabs.entry;
@@ -112,8 +125,9 @@ float alongFace(BoxFace face, vec3 v) {
 
 vec3 faceNormal(BoxFace face) {
   precise bool ofZ = !face.ofX && !face.ofY;
-  precise vec3 result = vec3(select(face.ofX, face.outward, 0.0f), select(face.ofY, face.outward, 0.0f),
-                             select(ofZ, face.outward, 0.0f));
+  precise vec3 result =
+      vec3(select(face.ofX, face.outward, 0.0f), select(face.ofY, face.outward, 0.0f),
+           select(ofZ, face.outward, 0.0f));
   return result;
 }
 
@@ -121,8 +135,8 @@ vec3 faceNormal(BoxFace face) {
 Surface boxSurface(Ray ray, float t, Box box) {
   precise BoxFace face = hitFace(ray, t, box);
   precise bool ofZ = !face.ofX && !face.ofY;
-  precise bool outward = face.outward > 0.0f;
-  precise vec3 bound = select(outward, box.maximum, box.minimum);
+  precise bool atMaximum = face.outward > 0.0f;
+  precise vec3 bound = select(atMaximum, box.maximum, box.minimum);
   precise vec3 p = pointAt(ray, t);
   precise float x = clampTo(p.x, box.minimum.x, box.maximum.x);
   precise float y = clampTo(p.y, box.minimum.y, box.maximum.y);
@@ -134,8 +148,8 @@ Surface boxSurface(Ray ray, float t, Box box) {
   return result;
 }
 
-// The report's box normal: axes on which the point lies within 1e-4 of a face, added and normalised;
-// a point that lies near none has no normal (NaN).
+// The report's box normal: axes on which the point lies within 1e-4 of a face, added and
+// normalised; a point that lies near none has no normal (NaN).
 vec3 reportBoxNormal(vec3 p, vec3 center, vec3 halfSize) {
   precise vec3 from = p - center;
   precise float beyondX = absolute(from.x) - halfSize.x;
@@ -167,7 +181,7 @@ Surface chosenBoxSurface(Ray ray, float t, Box box) {
 }
 
 // The point is brought to the face's plane along the face's axis, which need be neither unit nor
-// orthogonal to the others; the normal is as long as that axis.
+// orthogonal to the others; the normal is as long as that axis. The offset takes it for unit.
 Surface orientedBoxSurface(Ray ray, float t, OrientedBox box) {
   precise BoxFace face = hitFace(toLocalRay(ray, box), t, toLocalBox(box));
   precise vec3 axis = select(face.ofX, box.axisX, select(face.ofY, box.axisY, box.axisZ));
@@ -175,11 +189,11 @@ Surface orientedBoxSurface(Ray ray, float t, OrientedBox box) {
   precise vec3 p = pointAt(ray, t);
   precise vec3 from = p - box.center;
   precise float beyond = dot3(from, normal) - alongFace(face, box.halfSize);
+  // One dot product would do, but these are constants where the box is a literal.
   precise vec3 axisSquared = vec3(dot3(box.axisX, box.axisX), dot3(box.axisY, box.axisY),
                                   dot3(box.axisZ, box.axisZ));
   precise vec3 position = p - normal * divide(beyond, alongFace(face, axisSquared));
-  precise float size = (box.halfSize.x + box.halfSize.y) + box.halfSize.z;
-  precise float offset = (largestCoordinate(box.center) + size) * kOffsetScale;
+  precise float offset = clearance(position, normal) + sizeAlong(from, normal) * kFrameScale;
   precise Surface result = Surface(position, normal, offset);
   return result;
 }

@@ -103,6 +103,11 @@ vec3 triangleNormal(Triangle triangle) {
   return result;
 }
 
+Surface reportTriangleSurface(Ray ray, float t, Triangle triangle) {
+  precise Surface result = Surface(pointAt(ray, t), triangleNormal(triangle), kReportOffset);
+  return result;
+}
+
 Surface triangleSurface(Ray ray, float t, Triangle triangle) {
   precise vec3 normal = triangleNormal(triangle);
   precise vec3 position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
@@ -110,4 +115,11 @@ Surface triangleSurface(Ray ray, float t, Triangle triangle) {
   precise float reach = greatest(ab, largestCoordinate(triangle.c));
   precise Surface result = Surface(position, normal, reach * kOffsetScale);
   return result;
+}
+
+Surface chosenTriangleSurface(Ray ray, float t, Triangle triangle) {
+  if (kIntersectorReport) {
+    return reportTriangleSurface(ray, t, triangle);
+  }
+  return triangleSurface(ray, t, triangle);
 }

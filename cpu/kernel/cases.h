@@ -191,9 +191,10 @@ Surface<R> caseSurface(const SceneView& scene, const Ray<R>& ray, R t, int texel
     case kCaseOrientedBox:
       return orientedCaseSurface(scene, ray, t, fetchCaseOrientedBox<R>(scene, texel, scale));
     case kCasePlane:
-      return chosenPlaneSurface(scene, ray, t, withUnitNormal(fetchCasePlane<R>(scene, texel, scale)));
+      return chosenPlaneSurface(scene, ray, t,
+                                withUnitNormal(fetchCasePlane<R>(scene, texel, scale)));
     default:
-      return triangleSurface(ray, t, fetchCaseTriangle<R>(scene, texel, scale));
+      return chosenTriangleSurface(scene, ray, t, fetchCaseTriangle<R>(scene, texel, scale));
   }
 }
 

@@ -18,7 +18,7 @@ struct SphereLine {
   Vec3<R> nearest;  ///< the line's point nearest to the center
   R t;              ///< the ray's t at a point of the line near that one
   R ahead;          ///< step along the direction from there to the nearest point
-  R halfChordSquared;  ///< of the step from there to either hit; below 0 for a line that misses
+  R halfChordSquared;  ///< squared step from the nearest point to either hit; below 0 for a miss
 };
 
 /// Where the line meets the sphere: the step from the nearest point to either hit, and the hits' t.
@@ -31,8 +31,8 @@ struct SphereChord {
 };
 
 /// Haines, Guenther and Akenine-Moeller 2019 (Ray Tracing Gems, ch. 7), changed as in
-/// shaders/intersect_robust.glsl: a point of the line near the center is exact, from products in the
-/// wider number; from there on the sphere is a unit sphere seen from close by.
+/// shaders/intersect_robust.glsl: a point of the line near the center is rounded once, from
+/// products in the wider number; from there on the sphere is a unit sphere seen from close by.
 /// @param ray its direction's largest component is within [0.5, 2).
 /// @param sphere never hit if its radius is 0.
 template <class R>
@@ -55,7 +55,8 @@ SphereLine<R> sphereLineOf(const Ray<R>& ray, const Sphere<R>& sphere) {
 template <class R>
 SphereChord<R> chordOf(const SphereLine<R>& line, R radius) {
   const R halfChord = squareRoot(line.halfChordSquared);
-  return {halfChord, line.t + (line.ahead - halfChord) * radius, line.t + (line.ahead + halfChord) * radius};
+  return {halfChord, line.t + (line.ahead - halfChord) * radius,
+          line.t + (line.ahead + halfChord) * radius};
 }
 
 template <class R>
@@ -78,7 +79,7 @@ struct Slabs {
   R exit;
 };
 
-/// What shaders/intersect_robust.glsl has to compute.
+/// Infinity, for any ray: see shaders/intersect_robust.glsl for why it is a function.
 template <class R>
 R computedInfinity(const Ray<R>& ray) {
   static_cast<void>(ray);
@@ -115,8 +116,8 @@ R intersectBoxRobust(const Ray<R>& ray, const Box<R>& box) {
   return select(valid, t, R(kInfinity));
 }
 
-/// t = num / den with no threshold on den, in the wider number, since in a nearly parallel ray's den
-/// little is left of its terms: an exactly parallel ray gives infinity or NaN, which is a miss.
+/// t = num / den with no threshold on den, in the wider number, since in a nearly parallel ray's
+/// den little is left of its terms: an exactly parallel ray gives infinity or NaN, which is a miss.
 template <class R>
 R intersectPlaneRobust(const Ray<R>& ray, const Plane<R>& plane) {
   using Wider = WiderOf<R>;

@@ -21,6 +21,8 @@ inline constexpr float kOffsetScale = 7.2e-7f;
 inline constexpr float kClearanceScale = 1.5e-7f;
 /// Parts an origin from a surface at the scene's origin: see shaders/surface.glsl.
 inline constexpr float kLeastClearance = 1e-30f;
+/// 8.5 units of 2^-24: see shaders/surface.glsl.
+inline constexpr float kFrameScale = 5.1e-7f;
 /// A tangent's least step, in radii, from the nearest point to its hit: see shaders/surface.glsl.
 inline constexpr float kLeastHalfChord = 0x1p-20f;
 /// The report's fixed offset, in scene units.
@@ -31,12 +33,17 @@ R largestCoordinate(const Vec3<R>& v) {
   return largestComponent(Vec3<R>(absolute(v.x), absolute(v.y), absolute(v.z)));
 }
 
+/// The sizes of the products in v . normal, added up.
+template <class R>
+R sizeAlong(const Vec3<R>& v, const Vec3<R>& normal) {
+  const Vec3<R> along = v * normal;
+  return (absolute(along.x) + absolute(along.y)) + absolute(along.z);
+}
+
 /// Offset of a point off which only its coordinates' rounding can move an origin.
 template <class R>
 R clearance(const Vec3<R>& position, const Vec3<R>& normal) {
-  const Vec3<R> along = position * normal;
-  const R size = (absolute(along.x) + absolute(along.y)) + absolute(along.z);
-  return size * errorBound<R>(kClearanceScale) + R(kLeastClearance);
+  return sizeAlong(position, normal) * errorBound<R>(kClearanceScale) + R(kLeastClearance);
 }
 
 /// Outward and unit, at the entry or exit that is closest to t: rounding may put the point at t
@@ -72,8 +79,8 @@ Surface<R> chosenSphereSurface(const SceneView& scene, const Ray<R>& ray, R t,
   return sphereSurface(ray, t, sphere);
 }
 
-/// A face of a box: of its z slab if of neither other, and the side on which its outside lies, -1 or
-/// 1.
+/// A face of a box: of its z slab if of neither other, and the side on which its outside lies, -1
+/// or 1.
 template <class R>
 struct BoxFace {
   MaskOf<R> ofX;
@@ -81,8 +88,8 @@ struct BoxFace {
   R outward;
 };
 
-/// The face by which the ray enters or leaves, whichever is closer to t; of two that coincide the one
-/// by which it enters. Some face for a miss.
+/// The face by which the ray enters or leaves, whichever is closer to t; of two that coincide the
+/// one by which it enters. Some face for a miss.
 template <class R>
 BoxFace<R> hitFace(const Ray<R>& ray, R t, const Box<R>& box) {
   const Slabs<R> slabs = slabsOf(ray, box);
@@ -157,19 +164,20 @@ Surface<R> chosenBoxSurface(const SceneView& scene, const Ray<R>& ray, R t, cons
 }
 
 /// The point is brought to the face's plane along the face's axis, which need be neither unit nor
-/// orthogonal to the others; the normal is as long as that axis.
+/// orthogonal to the others; the normal is as long as that axis. The offset takes it for unit.
 template <class R>
 Surface<R> orientedBoxSurface(const Ray<R>& ray, R t, const OrientedBox<R>& box) {
   const BoxFace<R> face = hitFace(toLocalRay(ray, box), t, toLocalBox(box));
   const Vec3<R> axis = select(face.ofX, box.axisX, select(face.ofY, box.axisY, box.axisZ));
   const Vec3<R> normal = axis * face.outward;
   const Vec3<R> p = pointAt(ray, t);
-  const R beyond = dot3(p - box.center, normal) - alongFace(face, box.halfSize);
+  const Vec3<R> from = p - box.center;
+  const R beyond = dot3(from, normal) - alongFace(face, box.halfSize);
   const Vec3<R> axisSquared(dot3(box.axisX, box.axisX), dot3(box.axisY, box.axisY),
                             dot3(box.axisZ, box.axisZ));
   const Vec3<R> position = p - normal * divide(beyond, alongFace(face, axisSquared));
-  const R size = (box.halfSize.x + box.halfSize.y) + box.halfSize.z;
-  const R offset = (largestCoordinate(box.center) + size) * errorBound<R>(kOffsetScale);
+  const R offset =
+      clearance(position, normal) + sizeAlong(from, normal) * errorBound<R>(kFrameScale);
   return {position, normal, offset};
 }
 

@@ -93,12 +93,24 @@ Vec3<R> triangleNormal(const Triangle<R>& triangle) {
 }
 
 template <class R>
+Surface<R> reportTriangleSurface(const Ray<R>& ray, R t, const Triangle<R>& triangle) {
+  return {pointAt(ray, t), triangleNormal(triangle), R(kReportOffset)};
+}
+
+template <class R>
 Surface<R> triangleSurface(const Ray<R>& ray, R t, const Triangle<R>& triangle) {
   const Vec3<R> normal = triangleNormal(triangle);
   const Vec3<R> position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
   const R ab = greatest(largestCoordinate(triangle.a), largestCoordinate(triangle.b));
   const R reach = greatest(ab, largestCoordinate(triangle.c));
   return {position, normal, reach * errorBound<R>(kOffsetScale)};
+}
+
+template <class R>
+Surface<R> chosenTriangleSurface(const SceneView& scene, const Ray<R>& ray, R t,
+                                 const Triangle<R>& triangle) {
+  if (scene.intersectorReport) return reportTriangleSurface(ray, t, triangle);
+  return triangleSurface(ray, t, triangle);
 }
 
 TWINTRACE_KERNEL_END

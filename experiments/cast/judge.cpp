@@ -111,7 +111,7 @@ Judgement judgeHit(const ExactHit& exact, const CastHit& answer, int primitiveCo
   return judgement;
 }
 
-Judgement judgeBounce(const CastHit& answer, Expectation expectation) {
+Judgement judgeBounce(const CastHit& answer, const CastRay& first, Expectation expectation) {
   Judgement judgement;
   judgement.counts = true;
   if (answer.primitive == kBounceNotStarted) {
@@ -120,8 +120,9 @@ Judgement judgeBounce(const CastHit& answer, Expectation expectation) {
     judgement.finding = Finding::notANumber;
   } else if (answer.primitive == 0) {
     judgement.finding = Finding::selfHit;
-  } else if (expectation == Expectation::plate && answer.primitive < 0) {
-    judgement.finding = Finding::leak;
+  } else if (expectation == Expectation::plate) {
+    const bool below = answer.primitive > 0 && glm::dot(answer.normal, first.direction) > 0.0f;
+    if (!below) judgement.finding = Finding::leak;
   }
   return judgement;
 }

@@ -19,7 +19,7 @@ enum class Finding : std::uint8_t {
   wrongDistance,  ///< off by more than kMostDistanceError: another surface, or none
   wrongNormal,    ///< off by more than kMostNormalError
   selfHit,        ///< a bounce hits the surface that it leaves
-  leak            ///< a bounce misses the plate above its surface
+  leak            ///< a bounce misses the plate above its surface, or starts in it
 };
 
 /// Its name in tables and files, such as `false-miss`.
@@ -45,8 +45,10 @@ struct Judgement {
 /// Judges a hit by the exact answer. A false miss of a closed surface is never excused.
 Judgement judgeHit(const ExactHit& exact, const CastHit& answer, int primitiveCount, bool closed);
 
-/// Judges the second hit of a bounce, `escape` or `plate`.
-Judgement judgeBounce(const CastHit& answer, Expectation expectation);
+/// Judges the second hit of a bounce, `escape` or `plate`. A plate is met from the surface's side; met
+/// from within, the bounce began in it.
+/// @param first the ray that bounced
+Judgement judgeBounce(const CastHit& answer, const CastRay& first, Expectation expectation);
 
 /// Whether two answers are the same in each bit that counts.
 bool sameAnswer(const CastHit& a, const CastHit& b);

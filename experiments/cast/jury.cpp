@@ -66,7 +66,7 @@ class Hearing {
 
   Judgement judge(std::size_t engine, std::size_t ray) const {
     const CastHit& answer = answers_[engine][ray];
-    if (exact_.empty()) return judgeBounce(answer, expectation_);
+    if (exact_.empty()) return judgeBounce(answer, cases_.rays[ray].ray, expectation_);
     const auto primitiveCount = static_cast<int>(cases_.primitivesOf(cases_.rays[ray]).size());
     return judgeHit(exact_[ray], answer, primitiveCount, expectation_ == Expectation::closed);
   }

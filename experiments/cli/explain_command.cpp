@@ -74,7 +74,7 @@ class ExplainCommand {
     auto result = findSample(*a, *b, options.a, about);
     const bool native =
         options.a.maths == Maths::native || options.b.maths == Maths::native;
-    if (native && !sample_ && result->sameRadiance && findPlainSample(armA, armB, about)) {
+    if (!sample_ && result->sameRadiance && findPlainSample(armA, armB, about)) {
       result = explain(*a, *b, about);
     }
     const PlainSample plain = renderPlainSample(armA, armB, about.pixel, about.sample);
@@ -130,8 +130,8 @@ class ExplainCommand {
     return result;
   }
 
-  /// Moves `about` to the first sample in which the plain programs differ: in native maths they may
-  /// where the traced ones agree. @return whether there is one
+  /// Moves `about` to the first sample in which the plain programs differ: in native maths, or where a
+  /// driver neglects `precise`, they may where the traced ones agree. @return whether there is one
   static bool findPlainSample(Arm& a, Arm& b, ExplainedSample& about) {
     const RenderOptions& options = a.options;
     for (std::int64_t i = 0; i < std::max(options.spp, 1); ++i) {

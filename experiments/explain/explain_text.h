@@ -24,8 +24,9 @@ struct ExplainedSample {
 std::string explanationText(const FlatScene& scene, const ExplainedSample& about,
                             const SampleExplanation& explanation);
 
-/// The same as JSON: `x`, `y`, `sample`, `identical` (on plain and on traced programs), `class`,
-/// `first` {`function`, ...}, `vertices_a`, `vertices_b`.
+/// The same as JSON: `x`, `y`, `sample`, `identical` (on plain and on traced programs), `radiance_a`,
+/// `radiance_b`, `class` (null if the traced ones agree), `first` {`function`, ...}, `parted_at_vertex`,
+/// `consequences`, `vertices_a`, `vertices_b`, `notes`.
 Json explanationJson(const FlatScene& scene, const ExplainedSample& about,
                      const SampleExplanation& explanation);
 

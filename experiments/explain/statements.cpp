@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "common/base/words.h"
+#include "common/base/word_char.h"
 
 namespace twintrace {
 namespace {

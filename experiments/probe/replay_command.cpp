@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
 
+#include "common/base/word_char.h"
 #include "common/scene/option_names.h"
 #include "experiments/probe/shader_function.h"
 
@@ -14,8 +16,7 @@ namespace {
 /// A word for a POSIX shell.
 std::string shellWord(const std::string& text) {
   const auto isPlain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("-_./=:,+").find(c) != std::string_view::npos;
+    return isWordChar(c) || std::string_view("-./=:,+").find(c) != std::string_view::npos;
   };
   if (!text.empty() && std::ranges::all_of(text, isPlain)) return text;
   std::string quoted = "'";

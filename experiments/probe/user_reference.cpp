@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "common/base/error.h"
-#include "common/base/words.h"
+#include "common/base/word_char.h"
 #include "experiments/probe/trial.h"
 #include "experiments/probe/user_compiler.h"
 #include "experiments/probe/user_prelude.h"

@@ -7,7 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/base/wording.h"
-#include "common/base/words.h"
+#include "common/base/word_char.h"
 #include "gpu/glsl_text.h"
 #include "gpu/shader_source.h"
 

@@ -168,6 +168,77 @@ TEST_CASE("boxSurface has the near face's normal on a box without thickness") {
   }
 }
 
+TEST_CASE("boxSurface has the face that a ray from within or along a face leaves by") {
+  const FlushDenormals flush;
+  const Box<float> box{Vector(-1.0f, -1.0f, -1.0f), Vector(1.0f, 1.0f, 1.0f)};
+  const auto normalFrom = [&](Vector origin, Vector direction) {
+    const Ray<float> ray = rayFrom(origin, direction);
+    return boxSurface(ray, intersectBoxRobust(ray, box), box).normal;
+  };
+  CHECK(normalFrom(Vector(0.0f), Vector(0.2f, -1.0f, 0.1f)).y == -1.0f);
+  CHECK(normalFrom(Vector(-1.0f, 0.0f, 0.0f), Vector(1.0f, 0.1f, 0.0f)).x == -1.0f);
+  // The slab of x gives NaN on one side.
+  CHECK(normalFrom(Vector(1.0f, 0.0f, -3.0f), Vector(0.0f, 0.0f, 1.0f)).z == -1.0f);
+  CHECK(normalFrom(Vector(1.0f, 0.0f, 0.5f), Vector(-0.0f, 1.0f, 0.0f)).y == 1.0f);
+}
+
+TEST_CASE("boxSurface has the face that is entered where rounding lets the ray leave before") {
+  const FlushDenormals flush;
+  Draw draw;
+  int late = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Box<float> box{Vector(draw.size(-1, 0), draw.size(-1, 0), draw.size(-1, 0)),
+                         Vector(draw.size(0, 1), draw.size(0, 1), draw.size(0, 1))};
+    // Towards an edge, so that two slabs are met at the same place.
+    const Vector edge(box.maximum.x, box.minimum.y, draw.size(-0.1, 0.1));
+    const Vector direction = normalize3(Vector(draw.size(0.1, 1), draw.size(0.1, 1), 0.1f));
+    const Ray<float> ray = rayFrom(edge - direction * draw.size(1, 5), direction);
+    const Slabs<float> slabs = slabsOf(ray, box);
+    const float t = intersectBoxRobust(ray, box);
+    if (!(t <= kLargest) || slabs.entry <= slabs.exit) continue;
+    ++late;
+    CHECK(dot3(boxSurface(ray, t, box).normal, direction) < 0.0f);
+  }
+  CHECK(late > 100);
+}
+
+TEST_CASE("a ray leaves a face at coordinate zero") {
+  const FlushDenormals flush;
+  const Box<float> box{Vector(0.0f, 0.0f, 0.0f), Vector(1.0f, 1.0f, 1.0f)};
+  const Ray<float> ray = rayFrom(Vector(-2.0f, 0.5f, 0.5f), Vector(1.0f, 0.1f, 0.0f));
+  const Surface<float> surface = boxSurface(ray, intersectBoxRobust(ray, box), box);
+  CHECK(leavingOrigin(surface, surface.normal).x < 0.0f);
+}
+
+TEST_CASE("a box's offset goes by the hit face's coordinate alone") {
+  const FlushDenormals flush;
+  const Box<float> box{Vector(-1e6f, 0.0f, -1e6f), Vector(1e6f, 1.0f, 1e6f)};
+  const Ray<float> ray = rayFrom(Vector(5e5f, 3.0f, 2e5f), Vector(0.0f, -1.0f, 0.0f));
+  CHECK(boxSurface(ray, intersectBoxRobust(ray, box), box).offset < 0x3p-24f);
+}
+
+TEST_CASE("the report's surfaces are the point at t, its offset fixed") {
+  SceneView scene;
+  scene.intersectorReport = true;
+  const Ray<float> ray = rayFrom(Vector(0.1f, 3.0f, 0.2f), Vector(0.0f, -1.0f, 0.0f));
+  const Vector zero(0.0f);
+  const Vector one(1.0f);
+  const OrientedBox<float> oriented{zero, Vector(0.8f, 0.6f, 0.0f), Vector(-0.6f, 0.8f, 0.0f),
+                                    Vector(0.0f, 0.0f, 1.0f), one};
+  const Triangle<float> triangle{Vector(-1.0f, 0.0f, -1.0f), Vector(1.0f, 0.1f, -1.0f),
+                                 Vector(0.0f, 0.0f, 1.0f)};
+  const Surface<float> surfaces[] = {
+      chosenSphereSurface(scene, ray, 2.0f, Sphere<float>{zero, 1.0f}),
+      chosenBoxSurface(scene, ray, 2.0f, Box<float>{-one, one}),
+      chosenOrientedBoxSurface(scene, ray, 2.0f, oriented),
+      chosenPlaneSurface(scene, ray, 2.0f, Plane<float>{zero, Vector(0.0f, 1.0f, 0.0f)}),
+      chosenTriangleSurface(scene, ray, 2.0f, triangle)};
+  for (const Surface<float>& surface : surfaces) {
+    CHECK(surface.offset == kReportOffset);
+    CHECK(surface.position.y == 1.0f);
+  }
+}
+
 TEST_CASE("orientedBoxSurface lies on the slab of a box with skewed and long axes") {
   const FlushDenormals flush;
   const OrientedBox<float> box{Vector(1.0f, 2.0f, 3.0f), Vector(2.0f, 0.0f, 0.0f),
@@ -266,6 +337,10 @@ TEST_CASE("a ray that leaves a surface stays below a plate at a millionth of the
                                  Vector(0.0f, 0.0f, 1.0f)};
   CHECK(staysBelow(sphereSurface(ray, intersectSphereRobust(ray, sphere), sphere), 1e-6));
   CHECK(staysBelow(boxSurface(ray, intersectBoxRobust(ray, box), box), 1e-6));
+  const OrientedBox<float> oriented{Vector(0.0f), Vector(0.8f, 0.6f, 0.0f),
+                                    Vector(-0.6f, 0.8f, 0.0f), Vector(0.0f, 0.0f, 1.0f),
+                                    Vector(0.5f, 0.5f, 0.5f)};
+  CHECK(staysBelow(orientedBoxSurface(ray, intersectOriented(ray, oriented), oriented), 1e-6));
   CHECK(staysBelow(planeSurface(ray, intersectPlaneRobust(ray, plane), plane), 1e-6));
   CHECK(staysBelow(triangleSurface(ray, intersectTriangleRobust(ray, triangle), triangle), 1e-6));
 }

@@ -183,7 +183,8 @@ TEST_CASE("judgeBounce tells self-hits, leaks and rays that never started", "[ca
   const auto judged = [](std::int32_t primitive, Expectation expectation) {
     CastHit answer = rightAnswer();
     answer.primitive = primitive;
-    return judgeBounce(answer, expectation).finding;
+    const CastRay upward{{0.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}};
+    return judgeBounce(answer, upward, expectation).finding;
   };
   CHECK(judged(-1, Expectation::escape) == Finding::agrees);
   CHECK(judged(0, Expectation::escape) == Finding::selfHit);
@@ -191,6 +192,10 @@ TEST_CASE("judgeBounce tells self-hits, leaks and rays that never started", "[ca
   CHECK(judged(0, Expectation::plate) == Finding::selfHit);
   CHECK(judged(-1, Expectation::plate) == Finding::leak);
   CHECK(judged(kBounceNotStarted, Expectation::plate) == Finding::notStarted);
+  const CastRay downward{{0.0f, 0.0f, 0.0f}, {0.0f, -1.0f, 0.0f}};
+  CastHit fromWithin = rightAnswer();
+  fromWithin.primitive = 1;
+  CHECK(judgeBounce(fromWithin, downward, Expectation::plate).finding == Finding::leak);
 }
 
 TEST_CASE("sameAnswer compares bits, but not those of misses nor the sign of zero", "[cast]") {
