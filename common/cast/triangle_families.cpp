@@ -193,6 +193,16 @@ void drawNoArea(CaseRandom& random, Case& drawn) {
   aimAt(random, drawn, pointOnEdge(random, corners), random.uniform(1.0, 10.0));
 }
 
+/// Out of a triangle's plane by an angle whose sine is at least a hundredth. In the plane a quad is a
+/// line, and rounding may take the ray past all of it.
+glm::dvec3 steepDirection(CaseRandom& random, const Corners& corners) {
+  const glm::dvec3 normal = unitNormal(corners);
+  while (true) {
+    const glm::dvec3 direction = random.direction();
+    if (std::abs(glm::dot(direction, normal)) >= 0.01) return direction;
+  }
+}
+
 /// A quad of two triangles, seen at its diagonal.
 void drawSharedEdge(CaseRandom& random, Case& drawn) {
   const Corners first = usualTriangle(random);
@@ -202,7 +212,8 @@ void drawSharedEdge(CaseRandom& random, Case& drawn) {
   const Corners corners = cornersOf(drawn.primitives[0]);
   const double at = random.uniform(0.01, 0.99);
   const glm::dvec3 target = corners[1] + (corners[2] - corners[1]) * at;
-  aimAt(random, drawn, target, random.uniform(1.0, 10.0));
+  const glm::dvec3 back = steepDirection(random, corners);
+  drawn.ray = rayTowards(target + back * random.uniform(1.0, 10.0), target);
 }
 
 /// Triangles around a vertex, seen from its side at the vertex or at an edge that two of them
