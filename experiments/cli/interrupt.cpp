@@ -1,19 +1,23 @@
 #include "experiments/cli/interrupt.h"
 
+#include <atomic>
+
 namespace twintrace {
 namespace {
 
-// A signal handler has no arguments to get its state from: the one global of the program.
-volatile std::sig_atomic_t interruptRequested = 0;
+// A signal handler has no arguments to get its state from: the one global of the program. Atomic, since
+// the signal may come to any thread; without a lock, since a handler must not wait.
+std::atomic<bool> interruptRequested{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void requestInterrupt(int) {
-  interruptRequested = 1;
+  interruptRequested = true;
 }
 
 }  // namespace
 
 InterruptScope::InterruptScope() {
-  interruptRequested = 0;
+  interruptRequested = false;
   struct sigaction action {};
   action.sa_handler = requestInterrupt;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
@@ -26,7 +30,7 @@ InterruptScope::~InterruptScope() {
 }
 
 bool InterruptScope::interrupted() const {
-  return interruptRequested != 0;
+  return interruptRequested;
 }
 
 }  // namespace twintrace
