@@ -20,7 +20,17 @@ std::string joinLines(const std::vector<Diagnostic>& diagnostics) {
   return text;
 }
 
+std::vector<Diagnostic> oneFault(const std::string& path, const std::string& message) {
+  std::vector<Diagnostic> diagnostics(1);
+  diagnostics[0].location.path = path;
+  diagnostics[0].message = message;
+  return diagnostics;
+}
+
 }  // namespace
+
+FileError::FileError(const std::string& path, const std::string& message)
+    : FileError(oneFault(path, message)) {}
 
 FileError::FileError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(joinLines(diagnostics)), diagnostics_(std::move(diagnostics)) {}

@@ -28,6 +28,8 @@ struct Diagnostic {
 class FileError : public std::runtime_error {
  public:
   explicit FileError(std::vector<Diagnostic> diagnostics);
+  /// One fault of the file as a whole.
+  FileError(const std::string& path, const std::string& message);
   const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
  private:

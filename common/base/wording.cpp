@@ -59,4 +59,8 @@ std::string didYouMean(std::string_view word, std::span<const std::string> candi
   return near ? " (did you mean " + quote(*near) + "?)" : "";
 }
 
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
+}
+
 }  // namespace twintrace

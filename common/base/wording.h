@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,5 +15,8 @@ std::string oneOf(std::span<const std::string> words);
 
 /// ` (did you mean 'x'?)` for the candidate nearest to the word, or nothing if none is near.
 std::string didYouMean(std::string_view word, std::span<const std::string> candidates);
+
+/// `1 vertex`, `3 vertices`.
+std::string counted(std::int64_t count, std::string_view one, std::string_view many);
 
 }  // namespace twintrace
