@@ -42,7 +42,8 @@ CasePrimitive casePrimitive(const FlatScene& scene, CaseKind kind, int texel) {
     case CaseKind::orientedBox:
       for (int i = 0; i < layout::kOrientedBoxTexels; ++i) filler.add(texel + i);
       break;
-    case CaseKind::triangle:  // flat scenes have none
+    case CaseKind::triangle:
+      for (int i = 0; i < layout::kTriangleTexels; ++i) filler.add(texel + i);
       break;
   }
   return normalised(primitive);
@@ -68,6 +69,8 @@ CaseSet casesOf(const FlatScene& scene, std::span<const CastRay> rays) {
   addTable(cases, scene, CaseKind::box, index.boxOffset, index.boxCount, layout::kBoxTexels);
   addTable(cases, scene, CaseKind::orientedBox, index.orientedBoxOffset, index.orientedBoxCount,
            layout::kOrientedBoxTexels);
+  addTable(cases, scene, CaseKind::triangle, index.triangleOffset, index.triangleCount,
+           layout::kTriangleTexels);
   addTable(cases, scene, CaseKind::plane, index.planeOffset, index.planeCount,
            layout::kPlaneTexels);
   cases.scenes.push_back({0, static_cast<std::uint32_t>(cases.primitives.size())});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/wording.h"
+#include "common/generate/parts.h"
 #include "common/scene/scene.h"
 
 namespace twintrace {
@@ -26,6 +27,55 @@ Effect effectOf(const BoxShape& box) {
 Effect effectOf(const PlaneShape&) {
   return Effect::plane;
 }
+/// The effects of what an object consists of.
+EffectSet effectsOf(const Parts& parts, bool smooth) {
+  EffectSet effects;
+  if (!parts.spheres.empty()) effects.set(Effect::sphere, true);
+  for (const BoxShape& box : parts.boxes) effects.set(effectOf(box), true);
+  if (!parts.mesh.triangles.empty()) {
+    effects.set(Effect::triangle, true);
+    effects.set(Effect::smooth, smooth);
+  }
+  return effects;
+}
+
+EffectSet effectsOf(const MeshShape& mesh) {
+  return effectsOf(*mesh.parts, mesh.smooth);
+}
+EffectSet effectsOf(const GeneratedShape& generated) {
+  return effectsOf(*generated.parts, false);
+}
+template <class Shape>
+EffectSet effectsOf(const Shape& shape) {
+  EffectSet effects;
+  effects.set(effectOf(shape), true);
+  return effects;
+}
+
+EffectSet effectsOf(const Object& object) {
+  return std::visit([](const auto& shape) { return effectsOf(shape); }, object.shape);
+}
+
+/// The parts of which these effects leave some.
+std::shared_ptr<const Parts> withoutEffects(const std::shared_ptr<const Parts>& parts,
+                                            const EffectSet& effects) {
+  auto left = std::make_shared<Parts>(*parts);
+  if (!effects.has(Effect::sphere)) left->spheres.clear();
+  std::erase_if(left->boxes, [&](const BoxShape& box) { return !effects.has(effectOf(box)); });
+  if (!effects.has(Effect::triangle)) left->mesh = {};
+  return left;
+}
+
+void leaveOut(Object& object, const EffectSet& effects) {
+  if ((effectsOf(object).bits() & ~effects.bits()) == 0) return;
+  if (auto* mesh = std::get_if<MeshShape>(&object.shape)) {
+    mesh->parts = withoutEffects(mesh->parts, effects);
+    mesh->smooth = mesh->smooth && effects.has(Effect::smooth);
+  } else if (auto* generated = std::get_if<GeneratedShape>(&object.shape)) {
+    generated->parts = withoutEffects(generated->parts, effects);
+  }
+}
+
 Effect effectOf(const PointLight&) {
   return Effect::pointLight;
 }
@@ -53,7 +103,7 @@ void addMaterial(const Material& material, EffectSet& effects) {
 
 void addObjects(const Scene& scene, EffectSet& effects) {
   for (const Object& object : scene.objects) {
-    effects.set(std::visit([](const auto& shape) { return effectOf(shape); }, object.shape), true);
+    effects.add(effectsOf(object));
     addMaterial(scene.materials.at(static_cast<std::size_t>(object.material)), effects);
   }
 }
@@ -133,8 +183,9 @@ Scene withoutEffects(Scene scene, const EffectSet& effects) {
   std::erase_if(scene.lights, [&](const Light& light) {
     return off(std::visit([](const auto& kind) { return effectOf(kind); }, light));
   });
+  for (Object& object : scene.objects) leaveOut(object, effects);
   std::erase_if(scene.objects, [&](const Object& object) {
-    return off(std::visit([](const auto& shape) { return effectOf(shape); }, object.shape));
+    return (effectsOf(object).bits() & effects.bits()) == 0;
   });
   if (off(Effect::lens)) scene.camera.aperture = 0.0f;
   return scene;

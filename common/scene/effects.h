@@ -13,6 +13,8 @@ enum class Effect : std::uint32_t {
   sphere,
   box,
   orientedBox,
+  triangle,
+  smooth,
   plane,
   emission,
   diffuse,
@@ -26,12 +28,13 @@ enum class Effect : std::uint32_t {
   lens,
   indirect,
 };
-inline constexpr int kEffectCount = 15;
+inline constexpr int kEffectCount = 17;
 
 /// Names as written in [effects], in --effects and, with a leading kEffect, in the shaders.
 inline constexpr std::array<std::string_view, kEffectCount> kEffectNames = {
-    "sphere", "box",              "orientedBox", "plane",       "emission", "diffuse", "mirror", "ggx",
-    "phong",  "environmentImage", "pointLight",  "sphereLight", "sunLight", "lens",    "indirect"};
+    "sphere", "box",    "orientedBox", "triangle", "smooth",           "plane",
+    "emission", "diffuse", "mirror",  "ggx",      "phong",            "environmentImage",
+    "pointLight", "sphereLight", "sunLight", "lens", "indirect"};
 
 /// The effect of that name, or nothing.
 std::optional<Effect> effectFromName(std::string_view name);
@@ -44,6 +47,7 @@ class EffectSet {
 
   bool has(Effect effect) const { return (bits_ & bit(effect)) != 0; }
   void set(Effect effect, bool on) { bits_ = on ? bits_ | bit(effect) : bits_ & ~bit(effect); }
+  void add(const EffectSet& others) { bits_ |= others.bits_; }
   std::uint32_t bits() const { return bits_; }
   bool operator==(const EffectSet&) const = default;
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "common/scene/scene.h"
 
 namespace twintrace {
+
+struct HullStructure;
 
 /// The camera as the tracers read it. A sample at film position (x, y) in pixels, row 0 on top,
 /// looks from `origin` at the point `origin + corner + x * stepX + y * stepY` of the focal plane.
@@ -24,17 +27,22 @@ struct FlatCamera {
 };
 
 /// Where each kind of record lies in the texels, and how many there are. Primitives are numbered
-/// through spheres, boxes, oriented boxes and planes, in scene order within each kind.
+/// through spheres, boxes, oriented boxes, triangles and planes, in scene order within each kind: those
+/// with bounds come first.
 struct SceneIndex {
   int sphereCount = 0;
   int boxCount = 0;
   int orientedBoxCount = 0;
+  int triangleCount = 0;
   int planeCount = 0;
+  int smoothCount = 0;
   int lightCount = 0;
   int materialCount = 0;
   int sphereOffset = 0;
   int boxOffset = 0;
   int orientedBoxOffset = 0;
+  int triangleOffset = 0;
+  int smoothOffset = 0;  ///< normals of smooth triangles
   int planeOffset = 0;
   int infoOffset = 0;
   int materialOffset = 0;
@@ -43,7 +51,8 @@ struct SceneIndex {
   int environmentWidth = 0;   ///< 0 = constant environment
   int environmentHeight = 0;
 
-  int primitiveCount() const { return sphereCount + boxCount + orientedBoxCount + planeCount; }
+  int boundedCount() const { return sphereCount + boxCount + orientedBoxCount + triangleCount; }
+  int primitiveCount() const { return boundedCount() + planeCount; }
 };
 
 /// The immutable arrays that tracers read. Layout of the records: shaders/shared/layout.glsl.
@@ -58,6 +67,7 @@ struct FlatScene {
   std::vector<int> primitiveObject;     ///< object of each primitive
   std::vector<std::string> objectNames;
   EffectSet effects;                    ///< compiled in
+  std::shared_ptr<const HullStructure> hulls;  ///< null: every primitive is tested, or Embree asked
 };
 
 /// Resolves a scene under options into arrays; loads the environment image.

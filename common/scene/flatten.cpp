@@ -9,8 +9,11 @@
 
 #include "common/base/error.h"
 #include "common/film/image_io.h"
+#include "common/generate/parts.h"
+#include "common/hulls/hull_structure.h"
 #include "common/scene/flat_scene.h"
 #include "common/scene/layout.h"
+#include "common/scene/rotation.h"
 
 namespace twintrace {
 namespace {
@@ -50,17 +53,6 @@ FlatCamera flattenCamera(const Camera& camera, int width, int height) {
   return flat;
 }
 
-glm::dmat3 rotationMatrix(glm::vec3 degrees) {
-  const glm::dvec3 angle = glm::radians(glm::dvec3(degrees));
-  const double cx = std::cos(angle.x), sx = std::sin(angle.x);
-  const double cy = std::cos(angle.y), sy = std::sin(angle.y);
-  const double cz = std::cos(angle.z), sz = std::sin(angle.z);
-  const glm::dmat3 aboutX(1, 0, 0, 0, cx, sx, 0, -sx, cx);
-  const glm::dmat3 aboutY(cy, 0, -sy, 0, 1, 0, sy, 0, cy);
-  const glm::dmat3 aboutZ(cz, sz, 0, -sz, cz, 0, 0, 0, 1);
-  return aboutZ * aboutY * aboutX;
-}
-
 // Records of one kind of primitive, with the object of each.
 struct KindRecords {
   std::vector<glm::uvec4> texels;
@@ -68,7 +60,8 @@ struct KindRecords {
 };
 
 struct PrimitiveRecords {
-  KindRecords spheres, boxes, orientedBoxes, planes;
+  KindRecords spheres, boxes, orientedBoxes, triangles, planes;
+  std::vector<glm::uvec4> normals;  // of smooth triangles
 };
 
 void addShape(PrimitiveRecords& records, const SphereShape& sphere, int object) {
@@ -95,6 +88,35 @@ void addShape(PrimitiveRecords& records, const PlaneShape& plane, int object) {
   records.planes.texels.push_back(texel(plane.point));
   records.planes.texels.push_back(texel(glm::vec3(glm::normalize(glm::dvec3(plane.normal)))));
   records.planes.objects.push_back(object);
+}
+
+void addMesh(PrimitiveRecords& records, const Mesh& mesh, bool smooth, int object) {
+  auto& texels = records.triangles.texels;
+  for (const Corners& corners : mesh.triangles) {
+    int smoothRecord = 0;
+    if (smooth) {
+      for (const std::uint32_t i : corners) records.normals.push_back(texel(mesh.normals[i]));
+      smoothRecord = int(records.normals.size()) / layout::kSmoothTexels;
+    }
+    texels.push_back(texel(mesh.positions[corners[0]], smoothRecord));
+    texels.push_back(texel(mesh.positions[corners[1]]));
+    texels.push_back(texel(mesh.positions[corners[2]]));
+    records.triangles.objects.push_back(object);
+  }
+}
+
+void addParts(PrimitiveRecords& records, const Parts& parts, bool smooth, int object) {
+  for (const SphereShape& sphere : parts.spheres) addShape(records, sphere, object);
+  for (const BoxShape& box : parts.boxes) addShape(records, box, object);
+  addMesh(records, parts.mesh, smooth, object);
+}
+
+void addShape(PrimitiveRecords& records, const MeshShape& mesh, int object) {
+  addParts(records, *mesh.parts, mesh.smooth, object);
+}
+
+void addShape(PrimitiveRecords& records, const GeneratedShape& generated, int object) {
+  addParts(records, *generated.parts, false, object);
 }
 
 // Appends one kind's records and returns where they start.
@@ -202,14 +224,19 @@ void flattenPrimitives(const Scene& scene, FlatScene& flat) {
   index.sphereCount = int(records.spheres.objects.size());
   index.boxCount = int(records.boxes.objects.size());
   index.orientedBoxCount = int(records.orientedBoxes.objects.size());
+  index.triangleCount = int(records.triangles.objects.size());
   index.planeCount = int(records.planes.objects.size());
   index.sphereOffset = append(flat, records.spheres.texels);
   index.boxOffset = append(flat, records.boxes.texels);
   index.orientedBoxOffset = append(flat, records.orientedBoxes.texels);
+  index.triangleOffset = append(flat, records.triangles.texels);
+  index.smoothOffset = append(flat, records.normals);
+  index.smoothCount = int(records.normals.size()) / layout::kSmoothTexels;
   index.planeOffset = append(flat, records.planes.texels);
   index.infoOffset = static_cast<int>(flat.texels.size());
   for (const KindRecords* kind :
-       {&records.spheres, &records.boxes, &records.orientedBoxes, &records.planes}) {
+       {&records.spheres, &records.boxes, &records.orientedBoxes, &records.triangles,
+        &records.planes}) {
     for (const int object : kind->objects) {
       flat.primitiveObject.push_back(object);
       const int material = scene.objects[object].material;
@@ -254,6 +281,7 @@ FlatScene flatten(const Scene& authored, const RenderOptions& options) {
   flattenMaterials(scene, flat);
   flattenLights(scene, flat);
   flattenEnvironment(scene.environment, flat);
+  flat.hulls = chosenHulls(flat, options);
   return flat;
 }
 

@@ -10,6 +10,7 @@
 
 #include "common/base/error.h"
 #include "common/base/wording.h"
+#include "common/hulls/hull_structure.h"
 #include "common/scene/effects.h"
 
 namespace twintrace {
@@ -35,9 +36,6 @@ constexpr std::array kPrecisions = {Choice{"float", Precision::float32},
 constexpr std::array kLanes = {Choice{"wide", Lanes::wide}, Choice{"scalar", Lanes::scalar}};
 constexpr std::array kIntersectors = {Choice{"robust", Intersector::robust},
                                       Choice{"report", Intersector::report}};
-constexpr std::array kHulls = {Choice{"auto", std::string_view("auto")},
-                               Choice{"none", std::string_view("none")},
-                               Choice{"embree", std::string_view("embree")}};
 constexpr std::array kGeometries = {Choice{"auto", Geometry::automatic},
                                     Choice{"literal", Geometry::literal},
                                     Choice{"buffer", Geometry::buffer}};
@@ -170,6 +168,30 @@ Option effectsOption() {
           {},        setEffects,       getEffects};
 }
 
+std::vector<std::string> hullChoices() {
+  std::vector<std::string> names = {"auto"};
+  for (const HullStrategy& strategy : hullStrategies()) names.push_back(strategy.name);
+  names.emplace_back("embree");
+  return names;
+}
+
+bool setHull(RenderOptions& options, const OptionValue& value) {
+  const auto& text = std::get<std::string>(value);
+  const std::vector<std::string> choices = hullChoices();
+  const bool allowed = std::ranges::find(choices, text) != choices.end();
+  if (allowed) options.hull = text;
+  return allowed;
+}
+
+std::string getHull(const RenderOptions& options) {
+  return options.hull;
+}
+
+Option hullOption() {
+  const std::vector<std::string> choices = hullChoices();
+  return {"hull", OptionType::text, oneOf(choices), choices, setHull, getHull};
+}
+
 std::vector<Option> buildTable() {
   using O = RenderOptions;
   return {
@@ -199,7 +221,7 @@ std::vector<Option> buildTable() {
       choiceOption<&O::precision, kPrecisions>("precision"),
       choiceOption<&O::lanes, kLanes, impliesLanes>("lanes"),
       choiceOption<&O::intersector, kIntersectors, impliesIntersectorGiven>("intersector"),
-      choiceOption<&O::hull, kHulls>("hull"),
+      hullOption(),
       choiceOption<&O::geometry, kGeometries>("geometry"),
       choiceOption<&O::provider, kProviders>("gl"),
       choiceOption<&O::stage, kStages>("stage"),

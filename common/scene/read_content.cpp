@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 
 #include "common/base/wording.h"
+#include "common/generate/generators.h"
 #include "common/scene/layout.h"
 
 namespace twintrace {
@@ -124,10 +127,64 @@ PlaneShape readPlane(TableReader& table) {
   return plane;
 }
 
-void readShape(TableReader& table, const std::string& shape, Object& object) {
+Placement readPlacement(TableReader& table) {
+  Placement placement;
+  table.read("scale", placement.scale, kPositiveLength);
+  table.read("rotation", placement.rotation, kAnyNumber);
+  table.read("translation", placement.translation, kAnyNumber);
+  return placement;
+}
+
+MeshShape readMesh(TableReader& table, const FileCheck& check) {
+  MeshShape mesh;
+  std::string file;
+  if (table.read("file", file, "the name of a mesh file (OBJ, PLY, glTF or NFF)", Need::required)) {
+    const std::filesystem::path folder = std::filesystem::path(table.faults().path()).parent_path();
+    mesh.file = (folder / file).string();
+    if (!check(mesh.file)) {
+      table.faults().add(table.positionOf("file"), "no file " + quote(file),
+                         "a readable mesh file");
+    }
+  }
+  std::int64_t part = 0;
+  if (table.read("part", part, 0, std::numeric_limits<int>::max())) {
+    mesh.part = static_cast<int>(part);
+  }
+  mesh.placement = readPlacement(table);
+  table.read("smooth", mesh.smooth);
+  return mesh;
+}
+
+std::vector<std::string> generatorNames() {
+  std::vector<std::string> names;
+  for (const Generator& generator : generators()) names.emplace_back(generator.name);
+  return names;
+}
+
+GeneratedShape readGenerated(TableReader& table) {
+  GeneratedShape shape;
+  std::int64_t size = 0;
+  if (table.readWord("generator", shape.generator, generatorNames(), Need::required)) {
+    const Generator& generator = *findGenerator(shape.generator);
+    table.read("size", size, generator.smallest, generator.largest, Need::required);
+  } else {
+    table.find("size", "an integer", Need::optional);
+  }
+  shape.size = static_cast<int>(size);
+  std::int64_t seed = shape.seed;
+  table.read("seed", seed, 0, std::numeric_limits<std::uint32_t>::max());
+  shape.seed = static_cast<std::uint32_t>(seed);
+  shape.placement = readPlacement(table);
+  return shape;
+}
+
+void readShape(TableReader& table, const std::string& shape, const FileCheck& check,
+               Object& object) {
   if (shape == "sphere") object.shape = readSphere(table);
   if (shape == "box") object.shape = readBox(table);
   if (shape == "plane") object.shape = readPlane(table);
+  if (shape == "mesh") object.shape = readMesh(table, check);
+  if (shape == "generate") object.shape = readGenerated(table);
 }
 
 /// Materials by name, for objects.
@@ -176,15 +233,31 @@ void checkUnique(TableReader& table, const Object& object, NameLines& lines) {
                      "a name of its own");
 }
 
-Object readObject(TableReader& table, const MaterialIndex& materials, std::size_t index) {
+/// A generator alone keeps to the limit by its largest size; many together must too.
+void checkGenerated(TableReader& table, const Object& object, std::int64_t& generated) {
+  const auto* shape = std::get_if<GeneratedShape>(&object.shape);
+  if (shape == nullptr || shape->generator.empty()) return;
+  const bool fitted = generated <= kMaxGenerated;
+  generated += findGenerator(shape->generator)->primitives(shape->size);
+  if (!fitted || generated <= kMaxGenerated) return;
+  table.faults().add(table.positionOf("size"),
+                     fmt::format("{} generated primitives up to here", generated),
+                     fmt::format("at most {}", kMaxGenerated));
+}
+
+Object readObject(TableReader& table, const MaterialIndex& materials, const FileCheck& check,
+                  std::size_t index) {
   Object object;
+  const toml::source_position at = table.position();
+  object.location = {table.faults().path(), static_cast<int>(at.line), static_cast<int>(at.column)};
   std::string shape;
-  const bool known = table.readWord("shape", shape, {"sphere", "box", "plane"}, Need::required);
+  const bool known = table.readWord("shape", shape, {"sphere", "box", "plane", "mesh", "generate"},
+                                    Need::required);
   if (!table.read("name", object.name, "a name without control characters")) {
     object.name = fmt::format("{}-{}", shape, index);
   }
   readObjectMaterial(table, materials, object);
-  readShape(table, shape, object);
+  readShape(table, shape, check, object);
   // Which keys belong here is unknown without a shape.
   if (known) table.finish();
   return object;
@@ -241,13 +314,15 @@ void readMaterials(TableReader& document, std::vector<Material>& materials) {
   }
 }
 
-void readObjects(TableReader& document, Scene& scene) {
+void readObjects(TableReader& document, const FileCheck& check, Scene& scene) {
   const MaterialIndex materials = indexMaterials(scene);
   NameLines lines;
+  std::int64_t generated = 0;
   for (const toml::table* content : document.readTables("objects")) {
     TableReader table(*content, content->source().begin, document.faults());
-    scene.objects.push_back(readObject(table, materials, scene.objects.size()));
+    scene.objects.push_back(readObject(table, materials, check, scene.objects.size()));
     checkUnique(table, scene.objects.back(), lines);
+    checkGenerated(table, scene.objects.back(), generated);
   }
 }
 

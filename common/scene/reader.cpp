@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "common/base/wording.h"
+#include "common/scene/expand_shapes.h"
 #include "common/scene/read_content.h"
 #include "common/scene/read_settings.h"
 #include "common/scene/toml_table.h"
@@ -47,7 +48,9 @@ bool isReadableFile(const std::filesystem::path& path) {
 }
 
 Scene readScene(const std::filesystem::path& path) {
-  return parseScene(readText(path), path.string());
+  Scene scene = parseScene(readText(path), path.string());
+  expandShapes(scene);
+  return scene;
 }
 
 Scene parseScene(std::string_view text, const std::string& path, const FileCheck& check) {
@@ -61,7 +64,7 @@ Scene parseScene(std::string_view text, const std::string& path, const FileCheck
   readCamera(table, scene.render, scene.camera);
   readEnvironment(table, path, check, scene.environment);
   readMaterials(table, scene.materials);
-  readObjects(table, scene);
+  readObjects(table, check, scene);
   readLights(table, scene.lights);
   readEffects(table, scene.forcedEffects);
   table.finish();

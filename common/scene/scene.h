@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "common/scene/shapes.h"
 #include "common/trace/options.h"
 
 namespace twintrace {
@@ -48,29 +49,11 @@ struct Material {
   Lobe lobe = Lobe::ggx;
 };
 
-struct SphereShape {
-  glm::vec3 center{0.0f};
-  float radius = 1.0f;
-};
-/// A box with full size along its own axes; rotation (degrees) turns about x, then y, then z.
-/// In double, so that faces authored as minimum and maximum come out as the floats that were written.
-struct BoxShape {
-  glm::dvec3 center{0.0};
-  glm::dvec3 size{1.0};
-  std::optional<glm::vec3> rotation;
-
-  /// Whether it is an oriented box: a rotation by nothing leaves it aligned.
-  bool isTurned() const { return rotation && *rotation != glm::vec3(0.0f); }
-};
-struct PlaneShape {
-  glm::vec3 point{0.0f};
-  glm::vec3 normal{0.0f, 1.0f, 0.0f};
-};
-
 struct Object {
   std::string name;
-  std::variant<SphereShape, BoxShape, PlaneShape> shape;
+  std::variant<SphereShape, BoxShape, PlaneShape, MeshShape, GeneratedShape> shape;
   int material = 0;  ///< index into Scene::materials
+  SourceLocation location = {};  ///< messages only
 };
 
 /// Local lights of eq. 1, invisible to rays.
@@ -101,6 +84,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Light> lights;
   std::map<std::string, bool> forcedEffects;  ///< [effects]: name -> on or off
+  std::vector<std::string> warnings;          ///< about files that it names
 };
 
 }  // namespace twintrace

@@ -131,6 +131,20 @@ bool TableReader::read(std::string_view key, bool& into) {
   return true;
 }
 
+bool TableReader::read(std::string_view key, std::int64_t& into, std::int64_t low,
+                       std::int64_t high, Need need) {
+  const std::string expected = fmt::format("an integer from {} to {}", low, high);
+  const toml::node* node = find(key, expected, need);
+  if (node == nullptr) return false;
+  const toml::value<std::int64_t>* number = node->as_integer();
+  if (number == nullptr || number->get() < low || number->get() > high) {
+    faults_.add(node->source().begin, describe(*node), expected);
+    return false;
+  }
+  into = number->get();
+  return true;
+}
+
 bool TableReader::read(std::string_view key, std::string& into, std::string_view expected,
                        Need need) {
   const toml::node* node = find(key, expected, need);

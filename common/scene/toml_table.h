@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -64,6 +65,9 @@ class TableReader {
   bool read(std::string_view key, glm::vec3& into, const NumberRule& rule,
             Need need = Need::optional);
   bool read(std::string_view key, bool& into);
+  /// A whole number in [low, high].
+  bool read(std::string_view key, std::int64_t& into, std::int64_t low, std::int64_t high,
+            Need need = Need::optional);
   /// Text without control characters.
   bool read(std::string_view key, std::string& into, std::string_view expected,
             Need need = Need::optional);

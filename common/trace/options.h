@@ -40,7 +40,7 @@ struct RenderOptions {
   /// True when the user asked for this intersector; else it follows the integrator, since `report`
   /// implies the report's intersector.
   bool intersectorGiven = false;
-  std::string hull = "auto";     ///< "auto", "none" or "embree"
+  std::string hull = "auto";     ///< "auto", "embree" or a strategy of common/hulls
   Geometry geometry = Geometry::automatic;
   Provider provider = Provider::osmesa;
   Stage stage = Stage::fragment;

@@ -65,11 +65,11 @@ TEST_CASE("readMaterials takes lobes whose decimals sum to 1", "[scene]") {
 }
 
 TEST_CASE("readObjects reports missing and unknown shapes", "[scene]") {
-  CHECK(faultsOfObject("") == "s.toml:4:1: found no key 'shape', expected sphere, box or plane");
-  CHECK(faultsOfObject("shape = \"mesh\"\nfile = \"a.ply\"") ==
-        "s.toml:6:9: found 'mesh', expected sphere, box or plane");
+  const std::string shapes = "expected sphere, box, plane, mesh or generate";
+  CHECK(faultsOfObject("") == "s.toml:4:1: found no key 'shape', " + shapes);
+  CHECK(faultsOfObject("shape = \"cone\"") == "s.toml:6:9: found 'cone', " + shapes);
   CHECK(faultsOfObject("shape = \"spere\"") ==
-        "s.toml:6:9: found 'spere', expected sphere, box or plane (did you mean 'sphere'?)");
+        "s.toml:6:9: found 'spere', " + shapes + " (did you mean 'sphere'?)");
 }
 
 TEST_CASE("readObjects reports radii that are not positive", "[scene]") {
@@ -123,6 +123,132 @@ TEST_CASE("readObjects reports the two ways to give a box when mixed or incomple
         "'min' and 'max'");
   CHECK(faultsOfObject("shape = \"box\"\nmin = [0, 0, 0]") ==
         "s.toml:4:1: found no key 'max', expected an array of 3 numbers");
+}
+
+TEST_CASE("readObjects reports mesh files that are missing or not named", "[scene]") {
+  CHECK(faultsOfObject("shape = \"mesh\"") ==
+        "s.toml:4:1: found no key 'file', expected the name of a mesh file (OBJ, PLY, glTF or NFF)");
+  CHECK(faultsOfObject("shape = \"mesh\"\nfile = 3") ==
+        "s.toml:7:8: found 3, expected the name of a mesh file (OBJ, PLY, glTF or NFF)");
+  const auto none = [](const std::filesystem::path&) { return false; };
+  CHECK_THROWS_WITH(
+      parseScene(std::string(kWhite) + "[[objects]]\nmaterial = \"white\"\nshape = \"mesh\"\n"
+                                       "file = \"a.ply\"",
+                 "folder/s.toml", none),
+      "folder/s.toml:7:8: found no file 'a.ply', expected a readable mesh file");
+}
+
+TEST_CASE("readObjects reports what can't be put in place", "[scene]") {
+  for (const std::string shape : {"shape = \"mesh\"\nfile = \"a.ply\"\n",
+                                  "shape = \"generate\"\ngenerator = \"tetra\"\nsize = 1\n"}) {
+    const std::string line = shape[9] == 'm' ? "s.toml:8:" : "s.toml:9:";
+    CHECK(faultsOfObject(shape + "scale = 0") ==
+          line + "9: found 0, expected a number above 0 (at least 1e-18)");
+    CHECK(faultsOfObject(shape + "scale = [1, 1, 1]") ==
+          line + "9: found an array of 3 values, expected a number above 0 (at least 1e-18)");
+    CHECK(faultsOfObject(shape + "rotation = 90") ==
+          line + "12: found 90, expected an array of 3 numbers");
+    CHECK(faultsOfObject(shape + "translation = [0, inf, 0]") ==
+          line + "19: found inf, expected a finite number");
+  }
+}
+
+TEST_CASE("readObjects reports unknown keys of meshes and generators", "[scene]") {
+  CHECK(faultsOfObject("shape = \"mesh\"\nfile = \"a.ply\"\nsmooht = true") ==
+        "s.toml:8:1: found key 'smooht', expected one of shape, name, material, file, part, scale, "
+        "rotation, translation or smooth (did you mean 'smooth'?)");
+  CHECK(faultsOfObject("shape = \"mesh\"\nfile = \"a.ply\"\nsmooth = 1") ==
+        "s.toml:8:10: found 1, expected true or false");
+  CHECK(faultsOfObject("shape = \"generate\"\ngenerator = \"tetra\"\nsize = 1\nsmooth = true") ==
+        "s.toml:9:1: found key 'smooth', expected one of shape, name, material, generator, size, "
+        "seed, scale, rotation or translation");
+}
+
+TEST_CASE("readObjects reports missing and unknown generators", "[scene]") {
+  const std::string expected = "expected sphereflake, tetra, mount, tree, spheres, boxes or row";
+  CHECK(faultsOfObject("shape = \"generate\"") ==
+        "s.toml:4:1: found no key 'generator', " + expected);
+  CHECK(faultsOfObject("shape = \"generate\"\ngenerator = \"tetro\"\nsize = 3") ==
+        "s.toml:7:13: found 'tetro', " + expected + " (did you mean 'tetra'?)");
+}
+
+TEST_CASE("readObjects reports sizes that a generator does not have", "[scene]") {
+  const auto fault = [](const std::string& generator, const std::string& size) {
+    return faultsOfObject("shape = \"generate\"\ngenerator = \"" + generator +
+                          "\"\nsize = " + size);
+  };
+  CHECK(faultsOfObject("shape = \"generate\"\ngenerator = \"tetra\"") ==
+        "s.toml:4:1: found no key 'size', expected an integer from 1 to 11");
+  CHECK(fault("sphereflake", "8") == "s.toml:8:8: found 8, expected an integer from 0 to 7");
+  CHECK(fault("sphereflake", "-1") == "s.toml:8:8: found -1, expected an integer from 0 to 7");
+  CHECK(fault("sphereflake", "2.5") == "s.toml:8:8: found 2.5, expected an integer from 0 to 7");
+  CHECK(fault("tetra", "0") == "s.toml:8:8: found 0, expected an integer from 1 to 11");
+  CHECK(fault("mount", "12") == "s.toml:8:8: found 12, expected an integer from 1 to 11");
+  CHECK(fault("tree", "19") == "s.toml:8:8: found 19, expected an integer from 0 to 18");
+  CHECK(fault("row", "9") == "s.toml:8:8: found 9, expected an integer from 0 to 8");
+  for (const std::string name : {"spheres", "boxes"}) {
+    CHECK(fault(name, "10000001") ==
+          "s.toml:8:8: found 10000001, expected an integer from 1 to 10000000");
+    CHECK(fault(name, "9223372036854775807") ==
+          "s.toml:8:8: found 9223372036854775807, expected an integer from 1 to 10000000");
+    CHECK(fault(name, "10000000") == "");
+  }
+}
+
+TEST_CASE("readObjects reports generators that together make too much", "[scene]") {
+  const std::string half =
+      "[[objects]]\nmaterial = \"white\"\nshape = \"generate\"\ngenerator = \"spheres\"\n"
+      "size = 5000000\n";
+  const std::string white(kWhite);
+  CHECK(faultsOf(white + half + half) == "");
+  CHECK(faultsOf(white + half + half + half + half) ==
+        "s.toml:18:8: found 15000000 generated primitives up to here, expected at most 10000000");
+}
+
+TEST_CASE("readObjects reports seeds beyond 32 bits", "[scene]") {
+  const std::string mount = "shape = \"generate\"\ngenerator = \"mount\"\nsize = 1\nseed = ";
+  CHECK(faultsOfObject(mount + "4294967295") == "");
+  CHECK(faultsOfObject(mount + "4294967296") ==
+        "s.toml:9:8: found 4294967296, expected an integer from 0 to 4294967295");
+  CHECK(faultsOfObject(mount + "-1") ==
+        "s.toml:9:8: found -1, expected an integer from 0 to 4294967295");
+}
+
+TEST_CASE("parseScene keeps what meshes and generators are given", "[scene]") {
+  const Scene scene = parseScene(std::string(kWhite) + R"(
+[[objects]]
+shape = "mesh"
+file = "a.ply"
+smooth = true
+scale = 2.5
+rotation = [10, 20, 30]
+translation = [1, 2, 3]
+material = "white"
+[[objects]]
+shape = "generate"
+generator = "mount"
+size = 3
+seed = 7
+translation = [4, 5, 6]
+material = "white"
+)",
+                                 "folder/s.toml", [](const auto&) { return true; });
+  REQUIRE(scene.objects.size() == 2);
+  CHECK(scene.objects[0].name == "mesh-0");
+  const MeshShape& mesh = std::get<MeshShape>(scene.objects[0].shape);
+  CHECK(mesh.file == "folder/a.ply");
+  CHECK(mesh.smooth);
+  CHECK(mesh.placement.scale == 2.5f);
+  CHECK(mesh.placement.rotation == glm::vec3(10.0f, 20.0f, 30.0f));
+  CHECK(mesh.placement.translation == glm::vec3(1.0f, 2.0f, 3.0f));
+  CHECK(mesh.parts == nullptr);
+  const GeneratedShape& generated = std::get<GeneratedShape>(scene.objects[1].shape);
+  CHECK(generated.generator == "mount");
+  CHECK(generated.size == 3);
+  CHECK(generated.seed == 7);
+  CHECK(generated.placement.scale == 1.0f);
+  CHECK(generated.placement.translation == glm::vec3(4.0f, 5.0f, 6.0f));
+  CHECK(generated.parts == nullptr);
 }
 
 TEST_CASE("readObjects reports a zero plane normal", "[scene]") {
