@@ -22,8 +22,10 @@ constexpr std::string_view kPrelude =
     "uint traceWanted = 0u;\n"
     "uint traceSite = 0u;\n"
     "bool traceHere = false;\n"
-    "void traceBegin(uint site) { traceHere = traceEvent == traceWanted; "
-    "traceEvent = traceEvent + 1u; traceSite = traceHere ? site : traceSite; }\n";
+    "bool traceMuted = false;\n"
+    "void traceBegin(uint site) { traceHere = !traceMuted && traceEvent == traceWanted; "
+    "traceEvent = traceMuted ? traceEvent : traceEvent + 1u; "
+    "traceSite = traceHere ? site : traceSite; }\n";
 
 /// The variable that a result is kept in; traces name it `result`.
 const std::string kResult = "result_";

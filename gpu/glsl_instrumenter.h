@@ -25,7 +25,7 @@ struct InstrumentedShader {
 };
 
 /// Makes the functions of an assembled shader note their calls: the arguments on entry, the result on
-/// return. Events are counted in `traceEvent`; the one whose number is `traceWanted` is kept, and
+/// return, unless `traceMuted` is set. Events are counted in `traceEvent`; the one whose number is `traceWanted` is kept, and
 /// `TRACE_STORE(at)` writes its site and its words to `traceWords`, a buffer that the main declares.
 /// Functions without a result or with types that can't be traced are left as they are. Lines stay
 /// where they are in the shader's files.

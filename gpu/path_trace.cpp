@@ -1,6 +1,7 @@
 #include "gpu/path_trace.h"
 
 #include <optional>
+#include <stdexcept>
 #include <span>
 
 #include "gpu/buffers.h"
@@ -44,13 +45,32 @@ void main() {
 }
 )glsl";
 
+/// Walks through hulls are no part of a trace: the C++ tracer's are not, and what they find is the result
+/// of closestHit, which calls this one function.
+void muteWalk(ShaderRequest& request, InstrumentSettings& settings) {
+  const auto given = settings.calls;
+  settings.calls = [given](const GlslFunction& function) {
+    return function.name != kWalkFunction && (!given || given(function));
+  };
+  const auto walk = request.virtualFiles.find(kWalkFile);
+  if (walk == request.virtualFiles.end()) return;
+  const auto put = [&](std::string_view before, std::string_view statement) {
+    const std::size_t at = walk->second.find(before);
+    if (at == std::string::npos) throw std::logic_error("a walk without " + std::string(before));
+    walk->second.insert(at, statement);
+  };
+  put("precise Hit planes", "traceMuted = true;\n  ");
+  put("return result;", "traceMuted = false;\n  ");
+}
+
 InstrumentedShader tracedShader(Context& context, const FlatScene& scene,
-                                const RenderOptions& options, const InstrumentSettings& settings) {
+                                const RenderOptions& options, InstrumentSettings settings) {
   const ShaderLibrary library = shaderLibrary(options);
   ShaderRequest request = specialise(scene, options, passportOf(context, library).corrections);
   request.main = kMainPath;
   request.virtualFiles[kMainPath] = kMain;
   request.virtualFiles[kTraceRecordsPath] = traceRecordsText();
+  muteWalk(request, settings);
   return instrumentShader(assembleShader(library, request), settings);
 }
 
@@ -74,7 +94,7 @@ class GpuPathTracer::Device {
     const Context::Current current = context_->use();
     shader_ = tracedShader(*context_, *scene_, options_, settings);
     program_ = programs_.get(Stage::compute, shader_.source);
-    texels_.emplace(*context_, scene_->texels);
+    textures_.emplace(*context_, *scene_);
     setSceneUniforms(*program_, *scene_, options_);
     program_->set("filmWidth", scene_->width);
     program_->set("bounceLimit", options_.bounces);
@@ -89,7 +109,7 @@ class GpuPathTracer::Device {
     program_->set("tileX", pixel.x);
     program_->set("tileY", pixel.y);
     program_->set("firstSampleIndex", sample);
-    texels_->bind(0);
+    textures_->bind();
     radiance_->bind(0);
     CallTrace trace = records_->collect();
     radiance_->read(std::as_writable_bytes(std::span(trace.radiance)));
@@ -105,7 +125,7 @@ class GpuPathTracer::Device {
   std::unique_ptr<Context> context_;
   ProgramCache programs_;
   std::shared_ptr<Program> program_;
-  std::optional<BufferTexture> texels_;
+  std::optional<SceneTextures> textures_;
   std::optional<StorageBuffer> radiance_;
   std::optional<TraceRecords> records_;
 };

@@ -34,6 +34,7 @@ static_assert(kTraceGroupSize == kProbeGroupSize);
 ShaderRequest probeRequest(const Probe& probe, const FlatScene& scene, const RenderOptions& options,
                            const Corrections& corrections) {
   ShaderRequest request = specialise(scene, options, corrections);
+  request.virtualFiles.erase(kWalkFile);  // hulls are probed alone: queries test every primitive
   request.main = kMainPath;
   request.virtualFiles[kMainPath] = probe.main;
   return request;
@@ -56,13 +57,13 @@ class ProbeProgram {
                const FlatScene& scene, const RenderOptions& options,
                std::span<const std::uint32_t> inputs)
       : program_(context, Stage::compute, source),
-        texels_(context, scene.texels),
+        textures_(context, scene),
         given_(context, std::as_bytes(inputs)),
         outputs_(recordCount(probe, inputs) * static_cast<std::size_t>(probe.outputWords)),
         found_(context, outputs_.size() * sizeof(std::uint32_t)) {
     setSceneUniforms(program_, scene, options);
     program_.set("probeCount", static_cast<std::int32_t>(recordCount(probe, inputs)));
-    texels_.bind(0);
+    textures_.bind();
     given_.bind(0);
     found_.bind(1);
   }
@@ -76,7 +77,7 @@ class ProbeProgram {
 
  private:
   Program program_;
-  BufferTexture texels_;
+  SceneTextures textures_;
   StorageBuffer given_;
   std::vector<std::uint32_t> outputs_;
   StorageBuffer found_;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/base/error.h"
+#include "common/hulls/hull_structure.h"
 #include "gpu/buffers.h"
 #include "gpu/context.h"
 #include "gpu/passport_cache.h"
@@ -28,16 +29,6 @@ int tileSide(int length) {
   return (length + tiles - 1) / tiles;
 }
 
-void refuseCpuOptions(const RenderOptions& options) {
-  if (options.precision == Precision::float64) {
-    throw UsageError("precision double with backend gpu, expected backend cpu: shaders compute in "
-                     "float");
-  }
-  if (options.hull == "embree") {
-    throw UsageError("hull embree with backend gpu, expected backend cpu: Embree runs there only");
-  }
-}
-
 class GpuRenderer : public Renderer {
  public:
   GpuRenderer(std::shared_ptr<const FlatScene> scene, const RenderOptions& options)
@@ -55,7 +46,7 @@ class GpuRenderer : public Renderer {
         assembleShader(library, specialise(*scene_, options, passport_.corrections));
     unusedOverrides_ = unusedOverrides(source);
     program_ = programs_.get(options.stage, source);
-    texels_.emplace(*context_, scene_->texels);
+    textures_.emplace(*context_, *scene_);
     if (options.stage == Stage::fragment) {
       target_.emplace(*context_, tileWidth_, tileHeight_);
     } else {
@@ -70,7 +61,7 @@ class GpuRenderer : public Renderer {
     const Context::Current current = context_->use();
     program_->set("firstSampleIndex", firstSample);
     program_->set("passCount", passes);
-    texels_->bind(0);
+    textures_->bind();
     double seconds = 0;
     for (int y = 0; y < scene_->height; y += tileHeight_) {
       for (int x = 0; x < scene_->width; x += tileWidth_) {
@@ -87,6 +78,7 @@ class GpuRenderer : public Renderer {
                         {"gl_version", context_->version()},
                         {"gl_source", context_->source()},
                         {"geometry", usesLiteralGeometry(*scene_, options_) ? "literal" : "buffer"},
+                        {"hull", hullName(*scene_)},
                         {"program", programs_.counts().compiled > 0 ? "compiled" : "cached"}};
     if (!unusedOverrides_.empty()) facts.emplace_back("unused_overrides", unusedOverrides_);
     addPassport(facts);
@@ -170,7 +162,7 @@ class GpuRenderer : public Renderer {
   std::unique_ptr<Context> context_;
   ProgramCache programs_;
   std::shared_ptr<Program> program_;
-  std::optional<BufferTexture> texels_;
+  std::optional<SceneTextures> textures_;
   std::optional<FloatTarget> target_;
   std::optional<StorageBuffer> storage_;
   TimerQuery timer_;

@@ -7,7 +7,7 @@
 
 #include "path_state.glsl"
 #include "sampling.glsl"
-#include "triangle.glsl"
+#include "surface.glsl"
 
 // The largest coordinate of a case is brought to [2^32, 2^33). Products of three differences of such
 // coordinates stay below the largest float, and squares of lengths 2^95 times smaller above the

@@ -17,8 +17,24 @@ OrientedBox visitedOrientedBox(int index) {
   return fetchOrientedBox(index);
 }
 
+Triangle visitedTriangle(int index) {
+  return fetchTriangle(index);
+}
+
 Plane visitedPlane(int index) {
   return fetchPlane(index);
+}
+
+// What has no bounds: the last primitives.
+Hit visitPlanes(Ray ray, Hit start) {
+  precise Hit best = start;
+  int primitive = kSphereCount + kBoxCount + kOrientedBoxCount + kTriangleCount;
+  if (kEffectPlane) {
+    for (int i = 0; i < kPlaneCount; ++i) {
+      best = nearer(best, intersectPlane(ray, fetchPlane(i)), primitive + i);
+    }
+  }
+  return best;
 }
 
 Hit visitGeometry(Ray ray, Hit start) {
@@ -42,10 +58,11 @@ Hit visitGeometry(Ray ray, Hit start) {
     }
   }
   primitive += kOrientedBoxCount;
-  if (kEffectPlane) {
-    for (int i = 0; i < kPlaneCount; ++i) {
-      best = nearer(best, intersectPlane(ray, fetchPlane(i)), primitive + i);
+  if (kEffectTriangle) {
+    for (int i = 0; i < kTriangleCount; ++i) {
+      best = nearer(best, intersectTriangle(ray, fetchTriangle(i)), primitive + i);
     }
   }
-  return best;
+  precise Hit result = visitPlanes(ray, best);
+  return result;
 }

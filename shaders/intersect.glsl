@@ -3,6 +3,7 @@
 
 #include "intersect_report.glsl"
 #include "intersect_robust.glsl"
+#include "intersect_triangle.glsl"
 
 float intersectSphere(Ray ray, Sphere sphere) {
   if (kIntersectorReport) {
@@ -53,4 +54,11 @@ float intersectPlane(Ray ray, Plane plane) {
     return intersectPlaneReport(ray, plane);
   }
   return intersectPlaneRobust(ray, plane);
+}
+
+float intersectTriangle(Ray ray, Triangle triangle) {
+  if (kIntersectorReport) {
+    return intersectTriangleReport(ray, triangle);
+  }
+  return intersectTriangleRobust(ray, triangle);
 }

@@ -7,15 +7,16 @@
 #include "vertex.glsl"
 
 // Light of all local lights reflected at a vertex along -d.
-vec3 directLight(vec3 origin, vec3 normal, vec3 d, Reflectance material, SampleKey key, int bounce) {
+vec3 directLight(Vertex vertex, vec3 d, Reflectance material, SampleKey key, int bounce) {
   precise vec3 sum = vec3(0.0f);
   for (int i = 0; i < kLightCount; ++i) {
     int dimension = kDimensionLight + i * kDimensionsPerLight;
     precise float u = noise(key, bounce, dimension);
     precise float v = noise(key, bounce, dimension + 1);
-    precise LightSample light = sampleLight(fetchLight(i), origin, u, v);
-    precise vec3 reflected = evaluateReflectance(material, normal, d, light.direction) * light.value;
-    precise bool blocked = occluded(makeRay(origin, light.direction, 0.0f, light.distance));
+    precise LightSample light = sampleLight(fetchLight(i), vertex.origin, u, v);
+    precise vec3 reflected =
+        evaluateReflectance(material, vertex.normal, d, light.direction) * light.value;
+    precise bool blocked = isBlocked(vertex, light.direction, light.distance);
     sum = sum + select(blocked, vec3(0.0f), reflected);
   }
   return sum;
@@ -30,8 +31,8 @@ PathState stepPath(PathState state, Frame frame) {
   }
   precise vec3 d = state.ray.direction;
   if (kEffectPointLight || kEffectSphereLight || kEffectSunLight) {
-    precise vec3 direct = directLight(vertex.origin, vertex.normal, d,
-                                      fetchReflectance(vertex.material), state.key, state.bounce);
+    precise vec3 direct =
+        directLight(vertex, d, fetchReflectance(vertex.material), state.key, state.bounce);
     radiance = withLight(vertex, state.throughput, direct);
   }
   precise ScatterSample next = sampleScattering(

@@ -26,7 +26,7 @@ RandomPair reportRandom(SampleKey key, vec3 p, int bounce) {
 }
 
 // Lambert's term of eq. 1 for every local light, towards one point of its first octant.
-vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int bounce) {
+vec3 reportDirectLight(Vertex vertex, vec3 albedo, SampleKey key, int bounce) {
   precise vec3 sum = vec3(0.0f);
   for (int i = 0; i < kLightCount; ++i) {
     precise Light light = fetchLight(i);
@@ -38,7 +38,7 @@ vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int
     precise bool sphere = light.kind == kLightSphere;
     precise bool sun = light.kind == kLightSun;
     precise vec3 point = light.position + octant;
-    precise vec3 towards = select(sphere, point, light.position) - origin;
+    precise vec3 towards = select(sphere, point, light.position) - vertex.origin;
     precise float squared = dot3(towards, towards);
     precise float distance = squareRoot(squared);
     precise float area = kPi * (light.radius * light.radius);
@@ -47,8 +47,8 @@ vec3 reportDirectLight(vec3 origin, vec3 normal, vec3 albedo, SampleKey key, int
     precise vec3 direction = select(sun, light.position, divide(towards, distance));
     precise vec3 value = select(sun, light.radiance, divide(intensity, squared));
     precise float reach = select(sun, kLargest, shadowReach(distance));
-    precise float cosine = greatest(dot3(normal, direction), 0.0f);
-    precise bool blocked = occluded(makeRay(origin, direction, 0.0f, reach));
+    precise float cosine = greatest(dot3(vertex.normal, direction), 0.0f);
+    precise bool blocked = isBlocked(vertex, direction, reach);
     precise vec3 reflected = albedo * (value * cosine);
     sum = sum + select(blocked, vec3(0.0f), reflected);
   }
@@ -66,7 +66,7 @@ PathState stepReport(PathState state, Frame frame) {
   precise Reflectance colours = fetchReflectance(vertex.material);
   if (kEffectPointLight || kEffectSphereLight || kEffectSunLight) {
     precise vec3 direct =
-        reportDirectLight(vertex.origin, normal, colours.albedo, state.key, state.bounce);
+        reportDirectLight(vertex, colours.albedo, state.key, state.bounce);
     radiance = withLight(vertex, state.throughput, direct);
   }
   precise RandomPair random = reportRandom(state.key, vertex.position, state.bounce);

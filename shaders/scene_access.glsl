@@ -47,6 +47,26 @@ OrientedBox fetchOrientedBox(int index) {
   return result;
 }
 
+Triangle fetchTriangle(int index) {
+  int at = kTriangleOffset + index * kTriangleTexels;
+  precise Triangle result =
+      Triangle(floats3(fetchTexel(at)), floats3(fetchTexel(at + 1)), floats3(fetchTexel(at + 2)));
+  return result;
+}
+
+// Which record of normals a triangle has; below 0 for a flat one.
+int fetchSmoothIndex(int triangle) {
+  return int(fetchTexel(kTriangleOffset + triangle * kTriangleTexels).w) - 1;
+}
+
+// The unit normals at a triangle's vertices, as a triangle.
+Triangle fetchNormals(int index) {
+  int at = kSmoothOffset + index * kSmoothTexels;
+  precise Triangle result =
+      Triangle(floats3(fetchTexel(at)), floats3(fetchTexel(at + 1)), floats3(fetchTexel(at + 2)));
+  return result;
+}
+
 Plane fetchPlane(int index) {
   int at = kPlaneOffset + index * kPlaneTexels;
   precise Plane result = Plane(floats3(fetchTexel(at)), floats3(fetchTexel(at + 1)));

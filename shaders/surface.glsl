@@ -240,54 +240,43 @@ Surface chosenPlaneSurface(Ray ray, float t, Plane plane) {
   return planeSurface(ray, t, plane);
 }
 
-Surface chosenSurface(bool condition, Surface a, Surface b) {
-  precise vec3 position = select(condition, a.position, b.position);
-  precise vec3 normal = select(condition, a.normal, b.normal);
-  precise float offset = select(condition, a.offset, b.offset);
-  precise Surface result = Surface(position, normal, offset);
+// Unit, along (b - a) x (c - a), in double since slivers have none in float; +y without an area.
+vec3 triangleNormal(Triangle triangle) {
+  precise dvec3 edge1 = dvec3(triangle.b) - dvec3(triangle.a);
+  precise dvec3 edge2 = dvec3(triangle.c) - dvec3(triangle.a);
+  precise double x = edge1.y * edge2.z - edge1.z * edge2.y;
+  precise double y = edge1.z * edge2.x - edge1.x * edge2.z;
+  precise double z = edge1.x * edge2.y - edge1.y * edge2.x;
+  precise double squared = (x * x + y * y) + z * z;
+  precise double size = sqrt(squared);
+  precise double unitX = x / size;
+  precise double unitY = y / size;
+  precise double unitZ = z / size;
+  precise vec3 unit = vec3(float(unitX), float(unitY), float(unitZ));
+  precise bool hasArea = squared > 0.0f;
+  precise vec3 result = select(hasArea, unit, vec3(0.0f, 1.0f, 0.0f));
   return result;
 }
 
-// The surface at a hit; for a miss, some surface without meaning.
-Surface surfaceAt(Ray ray, Hit hit) {
-  precise Surface result = Surface(vec3(0.0f), vec3(0.0f, 1.0f, 0.0f), 0.0f);
-  int first = 0;
-  if (kEffectSphere) {
-    precise bool here = hit.primitive < kSphereCount;
-    if (anyLane(here)) {
-      precise Sphere sphere = visitedSphere(select(here, hit.primitive, 0));
-      precise Surface found = chosenSphereSurface(ray, hit.t, sphere);
-      result = chosenSurface(here, found, result);
-    }
-  }
-  first += kSphereCount;
-  if (kEffectBox) {
-    precise bool here = hit.primitive >= first && hit.primitive < first + kBoxCount;
-    if (anyLane(here)) {
-      precise Box box = visitedBox(select(here, hit.primitive - first, 0));
-      precise Surface found = chosenBoxSurface(ray, hit.t, box);
-      result = chosenSurface(here, found, result);
-    }
-  }
-  first += kBoxCount;
-  if (kEffectOrientedBox) {
-    precise bool here = hit.primitive >= first && hit.primitive < first + kOrientedBoxCount;
-    if (anyLane(here)) {
-      precise OrientedBox box = visitedOrientedBox(select(here, hit.primitive - first, 0));
-      precise Surface found = chosenOrientedBoxSurface(ray, hit.t, box);
-      result = chosenSurface(here, found, result);
-    }
-  }
-  first += kOrientedBoxCount;
-  if (kEffectPlane) {
-    precise bool here = hit.primitive >= first && hit.primitive < first + kPlaneCount;
-    if (anyLane(here)) {
-      precise Plane plane = visitedPlane(select(here, hit.primitive - first, 0));
-      precise Surface found = chosenPlaneSurface(ray, hit.t, plane);
-      result = chosenSurface(here, found, result);
-    }
-  }
+Surface reportTriangleSurface(Ray ray, float t, Triangle triangle) {
+  precise Surface result = Surface(pointAt(ray, t), triangleNormal(triangle), kReportOffset);
   return result;
+}
+
+Surface triangleSurface(Ray ray, float t, Triangle triangle) {
+  precise vec3 normal = triangleNormal(triangle);
+  precise vec3 position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
+  precise float ab = greatest(largestCoordinate(triangle.a), largestCoordinate(triangle.b));
+  precise float reach = greatest(ab, largestCoordinate(triangle.c));
+  precise Surface result = Surface(position, normal, reach * kOffsetScale);
+  return result;
+}
+
+Surface chosenTriangleSurface(Ray ray, float t, Triangle triangle) {
+  if (kIntersectorReport) {
+    return reportTriangleSurface(ray, t, triangle);
+  }
+  return triangleSurface(ray, t, triangle);
 }
 
 // Origin for a ray that leaves the surface along the side of `facing`, the normal or its opposite.

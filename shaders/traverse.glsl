@@ -1,12 +1,12 @@
 // Queries against the whole scene.
 #pragma once
 
-#include "geometry.glsl"
+#include "hulls/chosen_walk.glsl"
 
 // Smallest t within the ray's closed interval, ties to the lowest primitive.
 Hit closestHit(Ray ray) {
   precise Hit nothing = Hit(ray.tmax, kNoPrimitive);
-  precise Hit result = visitGeometry(ray, nothing);
+  precise Hit result = visitScene(ray, nothing);
   return result;
 }
 

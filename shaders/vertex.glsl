@@ -3,7 +3,7 @@
 
 #include "environment.glsl"
 #include "path_state.glsl"
-#include "surface.glsl"
+#include "hit_surface.glsl"
 #include "traverse.glsl"
 
 // Radiance has the light found at the vertex added. Where `scatters` holds the integrator decides
@@ -13,8 +13,9 @@ struct Vertex {
   bool scatters;
   int material;
   vec3 position;
-  vec3 normal;  // faces against the ray
-  vec3 origin;  // of rays that leave along the normal's side
+  vec3 facing;  // the geometric normal, against the ray
+  vec3 normal;  // for shading, against the ray
+  vec3 origin;  // of rays that leave on the side of `facing`
 };
 
 Vertex arrive(PathState state, Frame frame) {
@@ -38,12 +39,13 @@ Vertex arrive(PathState state, Frame frame) {
     scatters = scatters && state.bounce < 1;
   }
   precise vec3 none = vec3(0.0f);
-  precise Vertex result = Vertex(radiance, scatters, info.material, none, none, none);
+  precise Vertex result = Vertex(radiance, scatters, info.material, none, none, none, none);
   if (anyLane(scatters)) {
     precise Surface surface = surfaceAt(state.ray, hit);
     result.position = surface.position;
-    result.normal = facingNormal(surface.normal, d);
-    result.origin = leavingOrigin(surface, result.normal);
+    result.facing = facingNormal(surface.normal, d);
+    result.normal = shadingNormal(hit, result.position, result.facing, d);
+    result.origin = leavingOrigin(surface, result.facing);
   }
   return result;
 }
@@ -53,6 +55,17 @@ vec3 withLight(Vertex vertex, vec3 throughput, vec3 light) {
   precise vec3 lit = vertex.radiance + throughput * light;
   precise vec3 result = select(vertex.scatters, lit, vertex.radiance);
   return result;
+}
+
+// Whether a direction leads below a surface that only its shading normal has above it.
+bool leadsBelow(Vertex vertex, vec3 direction) {
+  return kEffectSmooth && !(dot3(direction, vertex.facing) > 0.0f);
+}
+
+// Whether no light comes from a direction within a distance.
+bool isBlocked(Vertex vertex, vec3 direction, float distance) {
+  return leadsBelow(vertex, direction) ||
+         occluded(makeRay(vertex.origin, direction, 0.0f, distance));
 }
 
 // A path that ends at the vertex.
@@ -66,7 +79,7 @@ PathState stop(PathState state, vec3 radiance) {
 PathState leave(PathState state, Vertex vertex, vec3 radiance, vec3 direction, vec3 weight) {
   precise vec3 throughput = state.throughput * weight;
   precise Ray ray = makeRay(vertex.origin, direction, 0.0f, kLargest);
-  precise bool alive = vertex.scatters && !isBlack(throughput);
+  precise bool alive = vertex.scatters && !isBlack(throughput) && !leadsBelow(vertex, direction);
   precise PathState result =
       PathState(state.key, ray, throughput, radiance, state.bounce + 1, alive);
   return result;

@@ -6,22 +6,21 @@
 #include "vertex.glsl"
 
 // Eq. 1 without k_e. Changed: the visibility g belongs to each light, not to the whole sum.
-vec3 localIllumination(vec3 origin, vec3 normal, vec3 d, LocalShading material, SampleKey key,
-                       int bounce) {
+vec3 localIllumination(Vertex vertex, vec3 d, LocalShading material, SampleKey key, int bounce) {
   precise vec3 sum = material.ambient * fetchEnvironmentRadiance();
   for (int i = 0; i < kLightCount; ++i) {
     int dimension = kDimensionLight + i * kDimensionsPerLight;
     precise float u = noise(key, bounce, dimension);
     precise float v = noise(key, bounce, dimension + 1);
-    precise LightSample light = sampleLight(fetchLight(i), origin, u, v);
+    precise LightSample light = sampleLight(fetchLight(i), vertex.origin, u, v);
     precise vec3 bisector = light.direction - d;
     precise vec3 halfway = normalize3(bisector);
-    precise float lambert = greatest(dot3(normal, light.direction), 0.0f);
-    precise float highlight = power(dot3(halfway, normal), material.exponent);
+    precise float lambert = greatest(dot3(vertex.normal, light.direction), 0.0f);
+    precise float highlight = power(dot3(halfway, vertex.normal), material.exponent);
     precise vec3 diffuse = material.albedo * lambert;
     precise vec3 shaded = (diffuse + material.highlight * highlight) * light.value;
     precise bool faces = lambert > 0.0f;
-    precise bool blocked = occluded(makeRay(origin, light.direction, 0.0f, light.distance));
+    precise bool blocked = isBlocked(vertex, light.direction, light.distance);
     sum = sum + select(faces && !blocked, shaded, vec3(0.0f));
   }
   return sum;
@@ -32,8 +31,8 @@ PathState stepLocal(PathState state, Frame frame) {
   precise vec3 radiance = vertex.radiance;
   if (anyLane(vertex.scatters)) {
     precise vec3 local =
-        localIllumination(vertex.origin, vertex.normal, state.ray.direction,
-                          fetchLocalShading(vertex.material), state.key, state.bounce);
+        localIllumination(vertex, state.ray.direction, fetchLocalShading(vertex.material), state.key,
+                          state.bounce);
     radiance = withLight(vertex, state.throughput, local);
   }
   return stop(state, radiance);
@@ -45,9 +44,8 @@ PathState stepWhitted(PathState state, Frame frame) {
     return stop(state, vertex.radiance);
   }
   precise vec3 d = state.ray.direction;
-  precise vec3 local = localIllumination(vertex.origin, vertex.normal, d,
-                                         fetchLocalShading(vertex.material), state.key,
-                                         state.bounce);
+  precise vec3 local =
+      localIllumination(vertex, d, fetchLocalShading(vertex.material), state.key, state.bounce);
   precise vec3 radiance = withLight(vertex, state.throughput, local);
   precise vec3 mirrored = reflect3(d, vertex.normal);
   precise vec3 reflectance = fetchReflectance(vertex.material).specular;

@@ -2,6 +2,8 @@
 #pragma once
 
 uniform usamplerBuffer sceneTexels;
+uniform usamplerBuffer hullTexels;
+uniform float hullReach;  // largest coordinate of what the hulls contain
 uniform vec3 cameraOrigin;
 uniform vec3 cameraCorner;
 uniform vec3 cameraStepX;

@@ -6,6 +6,8 @@
 const int kSphereTexels = 1;       // centre.xyz, radius
 const int kBoxTexels = 2;          // minimum.xyz, -; maximum.xyz, -
 const int kOrientedBoxTexels = 5;  // centre; axis x; axis y; axis z (unit); half size
+const int kTriangleTexels = 3;     // a.xyz, smooth record + 1 (int) or 0; b.xyz, -; c.xyz, -
+const int kSmoothTexels = 3;       // unit normals at a, b and c
 const int kPlaneTexels = 2;        // point; normal (unit)
 const int kInfoTexels = 1;         // emission of its material, material index (int)
 const int kMaterialTexels = 7;     // scattering 0-2, reflectance 1-4, local shading 3, 5, 6

@@ -1,7 +1,8 @@
-// Triangles, seen from both sides: intersections by both intersectors, and the surface at a hit.
+// Intersections with triangles, seen from both sides, by both intersectors.
 #pragma once
 
-#include "surface.glsl"
+#include "ray.glsl"
+#include "records.glsl"
 
 // Below this determinant Moeller and Trumbore take a ray for parallel: an area in scene units, so
 // that small triangles vanish.
@@ -76,50 +77,4 @@ float intersectTriangleRobust(Ray ray, Triangle triangle) {
   precise bool valid = (front || back) && t >= ray.tmin;
   precise float result = select(valid, t, kInfinity);
   return result;
-}
-
-float intersectTriangle(Ray ray, Triangle triangle) {
-  if (kIntersectorReport) {
-    return intersectTriangleReport(ray, triangle);
-  }
-  return intersectTriangleRobust(ray, triangle);
-}
-
-// Unit, along (b - a) x (c - a), in double since slivers have none in float; +y without an area.
-vec3 triangleNormal(Triangle triangle) {
-  precise dvec3 edge1 = dvec3(triangle.b) - dvec3(triangle.a);
-  precise dvec3 edge2 = dvec3(triangle.c) - dvec3(triangle.a);
-  precise double x = edge1.y * edge2.z - edge1.z * edge2.y;
-  precise double y = edge1.z * edge2.x - edge1.x * edge2.z;
-  precise double z = edge1.x * edge2.y - edge1.y * edge2.x;
-  precise double squared = (x * x + y * y) + z * z;
-  precise double size = sqrt(squared);
-  precise double unitX = x / size;
-  precise double unitY = y / size;
-  precise double unitZ = z / size;
-  precise vec3 unit = vec3(float(unitX), float(unitY), float(unitZ));
-  precise bool hasArea = squared > 0.0f;
-  precise vec3 result = select(hasArea, unit, vec3(0.0f, 1.0f, 0.0f));
-  return result;
-}
-
-Surface reportTriangleSurface(Ray ray, float t, Triangle triangle) {
-  precise Surface result = Surface(pointAt(ray, t), triangleNormal(triangle), kReportOffset);
-  return result;
-}
-
-Surface triangleSurface(Ray ray, float t, Triangle triangle) {
-  precise vec3 normal = triangleNormal(triangle);
-  precise vec3 position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
-  precise float ab = greatest(largestCoordinate(triangle.a), largestCoordinate(triangle.b));
-  precise float reach = greatest(ab, largestCoordinate(triangle.c));
-  precise Surface result = Surface(position, normal, reach * kOffsetScale);
-  return result;
-}
-
-Surface chosenTriangleSurface(Ray ray, float t, Triangle triangle) {
-  if (kIntersectorReport) {
-    return reportTriangleSurface(ray, t, triangle);
-  }
-  return triangleSurface(ray, t, triangle);
 }
