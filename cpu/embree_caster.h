@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "common/hulls/hull_caster.h"
 #include "common/scene/flat_scene.h"
 #include "common/trace/ray_caster.h"
 
@@ -21,6 +22,11 @@ class EmbreeCaster : public RayCaster {
 /// infinite, or have no direction, miss.
 /// @throws DeviceError if Embree fails.
 std::unique_ptr<EmbreeCaster> makeEmbreeCaster(std::shared_ptr<const FlatScene> scene);
+
+/// The witness as something to be measured: rtcIntersect1, ray by ray. It counts nothing.
+/// @param robust with RTC_SCENE_FLAG_ROBUST
+/// @param threads 0 = one per core
+std::unique_ptr<HullCaster> makeEmbreeHullCaster(const FlatScene& scene, bool robust, int threads);
 
 /// Version of the Embree library that this program was built with.
 std::string embreeVersion();

@@ -31,9 +31,9 @@ EmbreeDevice openEmbreeDevice() {
   return device;
 }
 
-EmbreeScene makeEmbreeScene(const EmbreeDevice& device) {
+EmbreeScene makeEmbreeScene(const EmbreeDevice& device, bool robust) {
   EmbreeScene scene(rtcNewScene(device.get()));
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   return scene;
 }
 

@@ -33,7 +33,7 @@ using EmbreeGeometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Embre
 EmbreeDevice openEmbreeDevice();
 
 /// An empty scene with Embree's robust traversal and triangle tests.
-EmbreeScene makeEmbreeScene(const EmbreeDevice& device);
+EmbreeScene makeEmbreeScene(const EmbreeDevice& device, bool robust = true);
 
 /// Commits a geometry and attaches it as `id`.
 void attachEmbreeGeometry(const EmbreeScene& scene, const EmbreeGeometry& geometry, unsigned id);

@@ -10,9 +10,10 @@
 //   For |f| >= 2 r this is 17 u D; nearer, the point at the computed t is less than 56 u r +
 //   (e/q)^2 / 2r above the surface, together 106 u r unless q < 5.6 sqrt(u) r, and then the origin
 //   itself is within 16 u r of the surface, hence in the hull, which is entered at 0.
+// - Triangles (robust): the vertices relative to the origin are rounded, 1 u D, as are their two
+//   coordinates beside the ray, 2 u D more; edge functions and t are in double: below 8 u D.
 // - Embree's own plane distances, even in the fast form bound * inverse - origin * inverse, are off
-// by
-//   4 u D once its coordinates are relative to the scene's centre, which they are here; callbacks
+//   by 4 u D once its coordinates are relative to the scene's centre, which they are here; callbacks
 //   get the ray as it was.
 // All this stays below 128 u D. Hulls are padded by that, so that entries lie strictly before t and
 // primitives with equal t are all tested. The report's tests round absolute coordinates, so that
@@ -27,8 +28,11 @@
 #include <glm/geometric.hpp>
 
 #include "common/base/error.h"
+#include "common/hulls/convex_shape.h"
+#include "common/hulls/hull_structure.h"
 #include "cpu/embree_device.h"
 #include "cpu/kernel/geometry.h"
+#include "cpu/kernel/primitive.h"
 
 namespace twintrace {
 namespace {
@@ -49,74 +53,6 @@ constexpr float kLongestDirection = 1 << 20;
 /// much times D.
 constexpr float kUnitSlack = 8.0f / (1 << 24);
 
-struct Bounds {
-  glm::dvec3 low;
-  glm::dvec3 high;
-};
-
-glm::dvec3 toDouble(const kernel::Vec3<float>& v) {
-  return {v.x, v.y, v.z};
-}
-
-Bounds boundsOf(const kernel::Sphere<float>& sphere) {
-  const glm::dvec3 center = toDouble(sphere.center);
-  const glm::dvec3 radius(std::fabs(sphere.radius));
-  return {center - radius, center + radius};
-}
-
-Bounds boundsOf(const kernel::Box<float>& box) {
-  const glm::dvec3 a = toDouble(box.minimum);
-  const glm::dvec3 b = toDouble(box.maximum);
-  return {glm::min(a, b), glm::max(a, b)};
-}
-
-// The axes are orthonormal to u, which the padding covers.
-Bounds boundsOf(const kernel::OrientedBox<float>& box) {
-  const glm::dvec3 half = glm::abs(toDouble(box.halfSize));
-  const glm::dvec3 extent = glm::abs(toDouble(box.axisX)) * half.x +
-                            glm::abs(toDouble(box.axisY)) * half.y +
-                            glm::abs(toDouble(box.axisZ)) * half.z;
-  const glm::dvec3 center = toDouble(box.center);
-  return {center - extent, center + extent};
-}
-
-Bounds boundsOf(const kernel::SceneView& scene, int primitive) {
-  const int box = primitive - scene.index.sphereCount;
-  if (box < 0) return boundsOf(kernel::fetchSphere<float>(scene, primitive));
-  const int orientedBox = box - scene.index.boxCount;
-  if (orientedBox < 0) return boundsOf(kernel::fetchBox<float>(scene, box));
-  return boundsOf(kernel::fetchOrientedBox<float>(scene, orientedBox));
-}
-
-float intersectPrimitive(const kernel::SceneView& scene, const Ray& ray, int primitive) {
-  const int box = primitive - scene.index.sphereCount;
-  if (box < 0) return intersectSphere(scene, ray, kernel::fetchSphere<float>(scene, primitive));
-  const int orientedBox = box - scene.index.boxCount;
-  if (orientedBox < 0) return intersectBox(scene, ray, kernel::fetchBox<float>(scene, box));
-  return intersectOrientedBox(scene, ray, kernel::fetchOrientedBox<float>(scene, orientedBox));
-}
-
-/// Primitives that the kernel tests and that have bounds.
-std::vector<int> boundedPrimitives(const kernel::SceneView& scene) {
-  std::vector<int> result;
-  int first = 0;
-  const auto add = [&](bool present, int count) {
-    for (int i = 0; present && i < count; ++i) result.push_back(first + i);
-    first += count;
-  };
-  add(scene.effectSphere, scene.index.sphereCount);
-  add(scene.effectBox, scene.index.boxCount);
-  add(scene.effectOrientedBox, scene.index.orientedBoxCount);
-  return result;
-}
-
-kernel::SceneView planesOf(kernel::SceneView scene) {
-  scene.effectSphere = false;
-  scene.effectBox = false;
-  scene.effectOrientedBox = false;
-  return scene;
-}
-
 /// What Embree's context carries to the callback.
 struct Query {
   EmbreeContext context;  // must be first
@@ -127,19 +63,19 @@ struct Query {
 class EmbreeHull : public HullQuery {
  public:
   EmbreeHull(const FlatScene& scene, const RenderOptions& options)
-      : view_(kernel::viewScene(scene, options, nullptr)),
-        planes_(planesOf(view_)),
-        primitives_(boundedPrimitives(view_)) {
+      : scene_(scene),
+        view_(kernel::viewScene(scene, options, nullptr)),
+        primitives_(boundedPrimitives(scene)) {
     measureScene();
     if (usable_) buildTree();
   }
 
-  int closest(const float origin[3], const float direction[3], float tmin, float tmax,
-              float& t) const override {
-    const Ray ray = kernel::makeRay<float>({origin[0], origin[1], origin[2]},
-                                           {direction[0], direction[1], direction[2]}, tmin, tmax);
-    const Hit start{tmax, kernel::kNoPrimitive};
-    const Hit hit = isTame(ray) ? searchTree(ray, visitGeometry(planes_, ray, start))
+  int closest(const HullQueryRay<float>& query, float& t) const override {
+    const Ray ray = kernel::makeRay<float>(
+        {query.origin[0], query.origin[1], query.origin[2]},
+        {query.direction[0], query.direction[1], query.direction[2]}, query.tmin, query.tmax);
+    const Hit start{query.tmax, kernel::kNoPrimitive};
+    const Hit hit = isTame(ray) ? searchTree(ray, visitPlanes(view_, ray, start))
                                 : visitGeometry(view_, ray, start);
     if (hit.primitive != kernel::kNoPrimitive) t = hit.t;
     return hit.primitive;
@@ -147,14 +83,13 @@ class EmbreeHull : public HullQuery {
 
  private:
   void measureScene() {
-    Bounds all{glm::dvec3(kernel::kInfinity), glm::dvec3(-kernel::kInfinity)};
-    for (const int primitive : primitives_) {
-      const Bounds bounds = boundsOf(view_, primitive);
-      all = {glm::min(all.low, bounds.low), glm::max(all.high, bounds.high)};
+    Bounds all = Bounds::nothing();
+    for (const std::uint32_t primitive : primitives_) {
+      all.add(boundsOf(convexShape(scene_, static_cast<int>(primitive))));
     }
-    center_ = glm::vec3((all.low + all.high) * 0.5);
+    center_ = all.center();
     const glm::dvec3 center(center_);
-    const double radius = glm::length(glm::max(all.high - center, center - all.low));
+    const double radius = glm::length(glm::max(glm::dvec3(all.high) - center, center - glm::dvec3(all.low)));
     usable_ = radius >= kSmallestRadius && radius <= kLargestRadius &&
               glm::length(center) <= kLargestRadius;
     reach_ = static_cast<float>(kReach * radius);
@@ -203,29 +138,28 @@ class EmbreeHull : public HullQuery {
 
   static void writeBounds(const RTCBoundsFunctionArguments* call) {
     const auto& hull = *static_cast<const EmbreeHull*>(call->geometryUserPtr);
-    const Bounds bounds = boundsOf(hull.view_, hull.primitives_[call->primID]);
-    const glm::dvec3 low = bounds.low - glm::dvec3(hull.center_) - hull.padding_;
-    const glm::dvec3 high = bounds.high - glm::dvec3(hull.center_) + hull.padding_;
-    const auto below = [](double x) { return std::nextafter(float(x), -kernel::kInfinity); };
-    const auto above = [](double x) { return std::nextafter(float(x), kernel::kInfinity); };
-    *call->bounds_o = {below(low.x),  below(low.y),  below(low.z),  0.0f,
-                       above(high.x), above(high.y), above(high.z), 0.0f};
+    const Bounds bounds = boundsOf(convexShape(hull.scene_, static_cast<int>(hull.primitives_[call->primID])));
+    const glm::dvec3 center(hull.center_);
+    const glm::dvec3 low = glm::dvec3(bounds.low) - center - hull.padding_;
+    const glm::dvec3 high = glm::dvec3(bounds.high) - center + hull.padding_;
+    *call->bounds_o = {roundedDown(low.x), roundedDown(low.y), roundedDown(low.z), 0.0f,
+                       roundedUp(high.x),  roundedUp(high.y),  roundedUp(high.z),  0.0f};
   }
 
   // Queries are single rays: N is 1. The best hit lives in the query; Embree needs only its t.
   static void testPrimitive(const RTCIntersectFunctionNArguments* call) {
     const auto& hull = *static_cast<const EmbreeHull*>(call->geometryUserPtr);
     Query& query = *reinterpret_cast<Query*>(call->context);
-    const int primitive = hull.primitives_[call->primID];
+    const auto primitive = static_cast<int>(hull.primitives_[call->primID]);
     const float t = intersectPrimitive(hull.view_, *query.ray, primitive);
     query.best = kernel::nearer(query.best, t, primitive);
     auto& search = *reinterpret_cast<RTCRayHit*>(call->rayhit);
     search.ray.tfar = withoutNegativeZero(query.best.t);
   }
 
+  const FlatScene& scene_;
   kernel::SceneView view_;
-  kernel::SceneView planes_;
-  std::vector<int> primitives_;
+  std::vector<std::uint32_t> primitives_;
   glm::vec3 center_{0.0f};
   float reach_ = 0.0f;
   double padding_ = 0.0;

@@ -4,9 +4,9 @@
 
 #include "common/base/finite.h"
 #include "common/base/parallel_for.h"
-#include "cpu/embree_hull.h"
+#include "cpu/hull_walk.h"
 #include "common/base/flush_denormals.h"
-#include "cpu/kernel/surface.h"
+#include "cpu/kernel/hit_surface.h"
 #include "cpu/kernel/traverse.h"
 #include "cpu/kernel_vectors.h"
 #include "cpu/thread_arena.h"
@@ -42,7 +42,7 @@ class KernelCaster : public RayCaster {
  public:
   KernelCaster(std::shared_ptr<const FlatScene> scene, const RenderOptions& options)
       : scene_(std::move(scene)),
-        hull_(options.hull == "embree" ? makeEmbreeHull(*scene_, options) : nullptr),
+        hull_(makeHullQuery(*scene_, options)),
         view_(kernel::viewScene(*scene_, options, hull_.get())),
         arena_(options.threads) {}
 

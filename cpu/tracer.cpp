@@ -7,7 +7,8 @@
 
 #include "common/base/error.h"
 #include "common/base/parallel_for.h"
-#include "cpu/embree_hull.h"
+#include "common/hulls/hull_structure.h"
+#include "cpu/hull_walk.h"
 #include "cpu/kernel_entry.h"
 #include "cpu/thread_arena.h"
 
@@ -77,7 +78,7 @@ class CpuRenderer : public Renderer {
         lanes_(chosenLanes(options)),
         kernel_(chooseKernel(options, lanes_, settings.instructionSet)),
         arena_(options.threads) {
-    if (options.hull == "embree") hull_ = makeEmbreeHull(*scene_, options);
+    hull_ = makeHullQuery(*scene_, options);
   }
 
   double renderFrame(std::uint32_t firstSample, int passes, std::span<float> sums) override {
@@ -103,7 +104,7 @@ class CpuRenderer : public Renderer {
     return {{"backend", "cpu"},
             {"lanes", wide ? "wide" : "scalar"},
             {"instruction_set", instructionSetName(settings_.instructionSet)},
-            {"hull", options_.hull == "embree" ? "embree" : "none"}};
+            {"hull", options_.hull == "embree" ? "embree" : hullName(*scene_)}};
   }
 
  private:

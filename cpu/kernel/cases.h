@@ -5,7 +5,7 @@
 
 #include "cpu/kernel/path_state.h"
 #include "cpu/kernel/sampling.h"
-#include "cpu/kernel/triangle.h"
+#include "cpu/kernel/surface.h"
 
 TWINTRACE_KERNEL_BEGIN
 

@@ -23,8 +23,26 @@ OrientedBox<R> visitedOrientedBox(const SceneView& scene, IntOf<R> index) {
 }
 
 template <class R>
+Triangle<R> visitedTriangle(const SceneView& scene, IntOf<R> index) {
+  return fetchTriangle<R>(scene, index);
+}
+
+template <class R>
 Plane<R> visitedPlane(const SceneView& scene, IntOf<R> index) {
   return fetchPlane<R>(scene, index);
+}
+
+/// What has no bounds: the last primitives.
+template <class R>
+Hit<R> visitPlanes(const SceneView& scene, const Ray<R>& ray, const Hit<R>& start) {
+  Hit<R> best = start;
+  if (scene.effectPlane) {
+    for (int i = 0; i < scene.index.planeCount; ++i) {
+      const R t = intersectPlane(scene, ray, fetchPlane<R>(scene, i));
+      best = nearer(best, t, IntOf<R>(scene.index.boundedCount() + i));
+    }
+  }
+  return best;
 }
 
 template <class R>
@@ -53,13 +71,13 @@ Hit<R> visitGeometry(const SceneView& scene, const Ray<R>& ray, const Hit<R>& st
     }
   }
   primitive += scene.index.orientedBoxCount;
-  if (scene.effectPlane) {
-    for (int i = 0; i < scene.index.planeCount; ++i) {
-      const R t = intersectPlane(scene, ray, fetchPlane<R>(scene, i));
+  if (scene.effectTriangle) {
+    for (int i = 0; i < scene.index.triangleCount; ++i) {
+      const R t = intersectTriangle(scene, ray, fetchTriangle<R>(scene, i));
       best = nearer(best, t, Int(primitive + i));
     }
   }
-  return best;
+  return visitPlanes(scene, ray, best);
 }
 
 TWINTRACE_KERNEL_END

@@ -4,6 +4,7 @@
 
 #include "cpu/kernel/intersect_report.h"
 #include "cpu/kernel/intersect_robust.h"
+#include "cpu/kernel/intersect_triangle.h"
 #include "cpu/kernel/scene_view.h"
 
 TWINTRACE_KERNEL_BEGIN
@@ -52,6 +53,12 @@ template <class R>
 R intersectPlane(const SceneView& scene, const Ray<R>& ray, const Plane<R>& plane) {
   if (scene.intersectorReport) return intersectPlaneReport(ray, plane);
   return intersectPlaneRobust(ray, plane);
+}
+
+template <class R>
+R intersectTriangle(const SceneView& scene, const Ray<R>& ray, const Triangle<R>& triangle) {
+  if (scene.intersectorReport) return intersectTriangleReport(ray, triangle);
+  return intersectTriangleRobust(ray, triangle);
 }
 
 TWINTRACE_KERNEL_END

@@ -11,19 +11,17 @@ TWINTRACE_KERNEL_BEGIN
 
 /// Light of all local lights reflected at a vertex along -d.
 template <class R>
-Vec3<R> directLight(const SceneView& scene, const Vec3<R>& origin, const Vec3<R>& normal,
-                    const Vec3<R>& d, const Reflectance<R>& material, const SampleKey<R>& key,
-                    IntOf<R> bounce) {
+Vec3<R> directLight(const SceneView& scene, const Vertex<R>& vertex, const Vec3<R>& d,
+                    const Reflectance<R>& material, const SampleKey<R>& key, IntOf<R> bounce) {
   Vec3<R> sum;
   for (int i = 0; i < scene.index.lightCount; ++i) {
     const int dimension = kDimensionLight + i * kDimensionsPerLight;
     const R u = noise<R>(scene, key, bounce, dimension);
     const R v = noise<R>(scene, key, bounce, dimension + 1);
-    const LightSample<R> light = sampleLight(scene, fetchLight<R>(scene, i), origin, u, v);
+    const LightSample<R> light = sampleLight(scene, fetchLight<R>(scene, i), vertex.origin, u, v);
     const Vec3<R> reflected =
-        evaluateReflectance(scene, material, normal, d, light.direction) * light.value;
-    const MaskOf<R> blocked =
-        occluded(scene, makeRay(origin, light.direction, R(0.0f), light.distance));
+        evaluateReflectance(scene, material, vertex.normal, d, light.direction) * light.value;
+    const MaskOf<R> blocked = isBlocked(scene, vertex, light.direction, light.distance);
     sum = sum + select(blocked, Vec3<R>(), reflected);
   }
   return sum;
@@ -38,8 +36,8 @@ PathState<R> stepPath(const SceneView& scene, const PathState<R>& state, const F
   const Vec3<R>& d = state.ray.direction;
   if (scene.effectAnyLight()) {
     const Vec3<R> direct =
-        directLight(scene, vertex.origin, vertex.normal, d,
-                    fetchReflectance<R>(scene, vertex.material), state.key, state.bounce);
+        directLight(scene, vertex, d, fetchReflectance<R>(scene, vertex.material), state.key,
+                    state.bounce);
     radiance = withLight(vertex, state.throughput, direct);
   }
   const ScatterSample<R> next = sampleScattering(
@@ -47,7 +45,7 @@ PathState<R> stepPath(const SceneView& scene, const PathState<R>& state, const F
       noise<R>(scene, state.key, state.bounce, kDimensionLobe),
       noise<R>(scene, state.key, state.bounce, kDimensionDirectionU),
       noise<R>(scene, state.key, state.bounce, kDimensionDirectionV));
-  return leave(state, vertex, radiance, next.direction, next.weight);
+  return leave(scene, state, vertex, radiance, next.direction, next.weight);
 }
 
 TWINTRACE_KERNEL_END

@@ -33,8 +33,8 @@ RandomPair<R> reportRandom(const SceneView& scene, const SampleKey<R>& key, cons
 
 /// Lambert's term of eq. 1 for every local light, towards one point of its first octant.
 template <class R>
-Vec3<R> reportDirectLight(const SceneView& scene, const Vec3<R>& origin, const Vec3<R>& normal,
-                          const Vec3<R>& albedo, const SampleKey<R>& key, IntOf<R> bounce) {
+Vec3<R> reportDirectLight(const SceneView& scene, const Vertex<R>& vertex, const Vec3<R>& albedo,
+                          const SampleKey<R>& key, IntOf<R> bounce) {
   Vec3<R> sum;
   for (int i = 0; i < scene.index.lightCount; ++i) {
     const Light<R> light = fetchLight<R>(scene, i);
@@ -45,7 +45,7 @@ Vec3<R> reportDirectLight(const SceneView& scene, const Vec3<R>& origin, const V
     const Vec3<R> octant = normalize3(corner) * light.radius;
     const bool sphere = light.kind == kLightSphere;
     const bool sun = light.kind == kLightSun;
-    const Vec3<R> towards = (sphere ? light.position + octant : light.position) - origin;
+    const Vec3<R> towards = (sphere ? light.position + octant : light.position) - vertex.origin;
     const R squared = dot3(towards, towards);
     const R distance = squareRoot(squared);
     const R area = constant<R>(kPi) * (light.radius * light.radius);
@@ -53,8 +53,8 @@ Vec3<R> reportDirectLight(const SceneView& scene, const Vec3<R>& origin, const V
     const Vec3<R> direction = sun ? light.position : divide(towards, distance);
     const Vec3<R> value = sun ? light.radiance : divide(intensity, squared);
     const R reach = sun ? R(kLargest) : shadowReach(distance);
-    const R cosine = greatest(dot3(normal, direction), R(0.0f));
-    const MaskOf<R> blocked = occluded(scene, makeRay(origin, direction, R(0.0f), reach));
+    const R cosine = greatest(dot3(vertex.normal, direction), R(0.0f));
+    const MaskOf<R> blocked = isBlocked(scene, vertex, direction, reach);
     const Vec3<R> reflected = albedo * (value * cosine);
     sum = sum + select(blocked, Vec3<R>(), reflected);
   }
@@ -71,8 +71,8 @@ PathState<R> stepReport(const SceneView& scene, const PathState<R>& state, const
   const Scattering<R> chances = fetchScattering<R>(scene, vertex.material);
   const Reflectance<R> colours = fetchReflectance<R>(scene, vertex.material);
   if (scene.effectAnyLight()) {
-    const Vec3<R> direct = reportDirectLight(scene, vertex.origin, normal, colours.albedo,
-                                             state.key, state.bounce);
+    const Vec3<R> direct = reportDirectLight(scene, vertex, colours.albedo, state.key,
+                                             state.bounce);
     radiance = withLight(vertex, state.throughput, direct);
   }
   const RandomPair<R> random = reportRandom<R>(scene, state.key, vertex.position, state.bounce);
@@ -87,7 +87,7 @@ PathState<R> stepReport(const SceneView& scene, const PathState<R>& state, const
   const R raised = select(specular, cosine * chances.phongScale, cosine);
   const R factor = clampTo(raised, R(0.0f), R(1.0f));
   const Vec3<R> weight = select(specular, colours.specular, colours.albedo) * factor;
-  return leave(state, vertex, radiance, direction, weight);
+  return leave(scene, state, vertex, radiance, direction, weight);
 }
 
 TWINTRACE_KERNEL_END

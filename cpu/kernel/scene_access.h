@@ -69,6 +69,29 @@ OrientedBox<R> fetchOrientedBox(const SceneView& scene, Index index) {
 }
 
 template <class R, class Index>
+Triangle<R> fetchTriangle(const SceneView& scene, Index index) {
+  const auto block = fetchRecord<R, kTriangleTexels>(
+      scene, scene.index.triangleOffset, kTriangleTexels, index, scene.index.triangleCount);
+  return {block.floats3(0), block.floats3(1), block.floats3(2)};
+}
+
+/// Which record of normals a triangle has; below 0 for a flat one.
+template <class R>
+IntOf<R> fetchSmoothIndex(const SceneView& scene, IntOf<R> triangle) {
+  const auto block = fetchRecord<R, 1>(scene, scene.index.triangleOffset, kTriangleTexels, triangle,
+                                       scene.index.triangleCount);
+  return block.integer(0, 3) - IntOf<R>(1);
+}
+
+/// The unit normals at a triangle's vertices, as a triangle.
+template <class R>
+Triangle<R> fetchNormals(const SceneView& scene, IntOf<R> index) {
+  const auto block = fetchRecord<R, kSmoothTexels>(scene, scene.index.smoothOffset, kSmoothTexels,
+                                                   index, scene.index.smoothCount);
+  return {block.floats3(0), block.floats3(1), block.floats3(2)};
+}
+
+template <class R, class Index>
 Plane<R> fetchPlane(const SceneView& scene, Index index) {
   const auto block = fetchRecord<R, kPlaneTexels>(scene, scene.index.planeOffset, kPlaneTexels, index,
                                             scene.index.planeCount);

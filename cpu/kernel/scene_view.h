@@ -4,14 +4,26 @@
 // constants, the kernel reads these flags: they are the same for all rays, so that their branches
 // cost next to nothing.
 
+#include "common/hulls/hull_structure.h"
 #include "common/scene/flat_scene.h"
 #include "cpu/hull_query.h"
 #include "cpu/kernel/records.h"
 
 TWINTRACE_KERNEL_BEGIN
 
+/// The scene's hulls; without texels if it has none.
+struct HullView {
+  const glm::uvec4* texels = nullptr;
+  int groups = 1;  ///< of slabs in a k-DOP
+  int nodeTexels = 0;
+  int nodeCount = 0;
+  int referenceOffset = 0;
+  float reach = 0.0f;  ///< largest coordinate of what the hulls contain
+};
+
 struct SceneView {
   const std::uint32_t* words = nullptr;  ///< texels as 32-bit words
+  HullView hulls;
   SceneIndex index;
   Camera<float> camera;
   Vec3<float> environmentRadiance;
@@ -24,6 +36,8 @@ struct SceneView {
   bool effectSphere = true;
   bool effectBox = true;
   bool effectOrientedBox = true;
+  bool effectTriangle = true;
+  bool effectSmooth = true;
   bool effectPlane = true;
   bool effectEmission = true;
   bool effectDiffuse = true;
@@ -42,6 +56,11 @@ struct SceneView {
 
 inline Vec3<float> toVec3(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
+inline HullView viewHulls(const HullStructure& hulls) {
+  return {hulls.texels.data(), hulls.volume.groups,    hulls.nodeTexels,
+          hulls.nodeCount,     hulls.referenceOffset, hulls.reach};
+}
+
 /// The view of a flat scene; `hull` may be null.
 inline SceneView viewScene(const FlatScene& scene, const RenderOptions& options,
                            const HullQuery* hull) {
@@ -49,6 +68,7 @@ inline SceneView viewScene(const FlatScene& scene, const RenderOptions& options,
   const auto has = [&](Effect effect) { return scene.effects.has(effect); };
   SceneView view;
   view.words = &scene.texels[0].x;
+  if (scene.hulls != nullptr) view.hulls = viewHulls(*scene.hulls);
   view.index = scene.index;
   view.camera = {toVec3(camera.origin), toVec3(camera.corner), toVec3(camera.stepX),
                  toVec3(camera.stepY),  toVec3(camera.lensX),  toVec3(camera.lensY)};
@@ -61,6 +81,8 @@ inline SceneView viewScene(const FlatScene& scene, const RenderOptions& options,
   view.effectSphere = has(Effect::sphere);
   view.effectBox = has(Effect::box);
   view.effectOrientedBox = has(Effect::orientedBox);
+  view.effectTriangle = has(Effect::triangle);
+  view.effectSmooth = has(Effect::smooth);
   view.effectPlane = has(Effect::plane);
   view.effectEmission = has(Effect::emission);
   view.effectDiffuse = has(Effect::diffuse);

@@ -223,56 +223,41 @@ Surface<R> chosenPlaneSurface(const SceneView& scene, const Ray<R>& ray, R t,
   return planeSurface(ray, t, plane);
 }
 
+/// Unit, along (b - a) x (c - a), in double since slivers have none in float; +y without an area.
 template <class R>
-Surface<R> chosenSurface(MaskOf<R> condition, const Surface<R>& a, const Surface<R>& b) {
-  return {select(condition, a.position, b.position), select(condition, a.normal, b.normal),
-          select(condition, a.offset, b.offset)};
+Vec3<R> triangleNormal(const Triangle<R>& triangle) {
+  using Wider = WiderOf<R>;
+  const Vec3<Wider> edge1 = wider3(triangle.b) - wider3(triangle.a);
+  const Vec3<Wider> edge2 = wider3(triangle.c) - wider3(triangle.a);
+  const Wider x = edge1.y * edge2.z - edge1.z * edge2.y;
+  const Wider y = edge1.z * edge2.x - edge1.x * edge2.z;
+  const Wider z = edge1.x * edge2.y - edge1.y * edge2.x;
+  const Wider squared = (x * x + y * y) + z * z;
+  const Wider size = rootOf(squared);
+  const Vec3<R> unit(rounded<R>(x / size), rounded<R>(y / size), rounded<R>(z / size));
+  const MaskOf<R> hasArea = squared > Wider(0.0f);
+  return select(hasArea, unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
 }
 
-/// The surface at a hit; for a miss, some surface without meaning.
 template <class R>
-Surface<R> surfaceAt(const SceneView& scene, const Ray<R>& ray, const Hit<R>& hit) {
-  using Int = IntOf<R>;
-  using Mask = MaskOf<R>;
-  const SceneIndex& index = scene.index;
-  Surface<R> result{Vec3<R>(), Vec3<R>(R(0.0f), R(1.0f), R(0.0f)), R(0.0f)};
-  int first = 0;
-  if (scene.effectSphere) {
-    const Mask here = hit.primitive < Int(index.sphereCount);
-    if (anyLane(here)) {
-      const Sphere<R> sphere = visitedSphere<R>(scene, select(here, hit.primitive, Int(0)));
-      result = chosenSurface(here, chosenSphereSurface(scene, ray, hit.t, sphere), result);
-    }
-  }
-  first += index.sphereCount;
-  if (scene.effectBox) {
-    const Mask here =
-        hit.primitive >= Int(first) && hit.primitive < Int(first + index.boxCount);
-    if (anyLane(here)) {
-      const Box<R> box = visitedBox<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
-      result = chosenSurface(here, chosenBoxSurface(scene, ray, hit.t, box), result);
-    }
-  }
-  first += index.boxCount;
-  if (scene.effectOrientedBox) {
-    const Mask here =
-        hit.primitive >= Int(first) && hit.primitive < Int(first + index.orientedBoxCount);
-    if (anyLane(here)) {
-      const OrientedBox<R> box =
-          visitedOrientedBox<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
-      result = chosenSurface(here, chosenOrientedBoxSurface(scene, ray, hit.t, box), result);
-    }
-  }
-  first += index.orientedBoxCount;
-  if (scene.effectPlane) {
-    const Mask here =
-        hit.primitive >= Int(first) && hit.primitive < Int(first + index.planeCount);
-    if (anyLane(here)) {
-      const Plane<R> plane = visitedPlane<R>(scene, select(here, hit.primitive - Int(first), Int(0)));
-      result = chosenSurface(here, chosenPlaneSurface(scene, ray, hit.t, plane), result);
-    }
-  }
-  return result;
+Surface<R> reportTriangleSurface(const Ray<R>& ray, R t, const Triangle<R>& triangle) {
+  return {pointAt(ray, t), triangleNormal(triangle), R(kReportOffset)};
+}
+
+template <class R>
+Surface<R> triangleSurface(const Ray<R>& ray, R t, const Triangle<R>& triangle) {
+  const Vec3<R> normal = triangleNormal(triangle);
+  const Vec3<R> position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
+  const R ab = greatest(largestCoordinate(triangle.a), largestCoordinate(triangle.b));
+  const R reach = greatest(ab, largestCoordinate(triangle.c));
+  return {position, normal, reach * errorBound<R>(kOffsetScale)};
+}
+
+template <class R>
+Surface<R> chosenTriangleSurface(const SceneView& scene, const Ray<R>& ray, R t,
+                                 const Triangle<R>& triangle) {
+  if (scene.intersectorReport) return reportTriangleSurface(ray, t, triangle);
+  return triangleSurface(ray, t, triangle);
 }
 
 /// Origin for a ray that leaves the surface along the side of `facing`, the normal or its opposite.

@@ -6,16 +6,18 @@
 
 TWINTRACE_KERNEL_BEGIN
 
-/// The answer of the scene's hull structure, ray by ray. wide.h has the overload for wide rays.
+/// The answer of the scene's hulls. wide.h has the overload for wide rays.
 template <class R>
 Hit<R> queryHull(const SceneView& scene, const Ray<R>& ray) {
-  const auto floatOf = [](R x) { return static_cast<float>(plainNumber(x)); };
-  const float origin[3] = {floatOf(ray.origin.x), floatOf(ray.origin.y), floatOf(ray.origin.z)};
-  const float direction[3] = {floatOf(ray.direction.x), floatOf(ray.direction.y),
-                              floatOf(ray.direction.z)};
-  float t = 0.0f;
-  const int primitive =
-      scene.hull->closest(origin, direction, floatOf(ray.tmin), floatOf(ray.tmax), t);
+  using Number = decltype(plainNumber(ray.tmin));
+  const auto plain = [](R x) { return plainNumber(x); };
+  const HullQueryRay<Number> query{
+      {plain(ray.origin.x), plain(ray.origin.y), plain(ray.origin.z)},
+      {plain(ray.direction.x), plain(ray.direction.y), plain(ray.direction.z)},
+      plain(ray.tmin),
+      plain(ray.tmax)};
+  Number t = 0;
+  const int primitive = scene.hull->closest(query, t);
   return {primitive == kNoPrimitive ? ray.tmax : R(t), primitive};
 }
 

@@ -4,7 +4,7 @@
 
 #include "cpu/kernel/environment.h"
 #include "cpu/kernel/path_state.h"
-#include "cpu/kernel/surface.h"
+#include "cpu/kernel/hit_surface.h"
 #include "cpu/kernel/traverse.h"
 
 TWINTRACE_KERNEL_BEGIN
@@ -17,8 +17,9 @@ struct Vertex {
   MaskOf<R> scatters;
   IntOf<R> material;
   Vec3<R> position;
-  Vec3<R> normal;  ///< faces against the ray
-  Vec3<R> origin;  ///< of rays that leave along the normal's side
+  Vec3<R> facing;  ///< the geometric normal, against the ray
+  Vec3<R> normal;  ///< for shading, against the ray
+  Vec3<R> origin;  ///< of rays that leave on the side of `facing`
 };
 
 template <class R>
@@ -45,12 +46,14 @@ Vertex<R> arrive(const SceneView& scene, const PathState<R>& state, const Frame&
   if (!scene.effectIndirect) {
     scatters = scatters && state.bounce < Int(1);
   }
-  Vertex<R> result{radiance, scatters, info.material, Vec3<R>(), Vec3<R>(), Vec3<R>()};
+  Vertex<R> result{radiance,  scatters,  info.material, Vec3<R>(),
+                   Vec3<R>(), Vec3<R>(), Vec3<R>()};
   if (anyLane(scatters)) {
     const Surface<R> surface = surfaceAt(scene, state.ray, hit);
     result.position = surface.position;
-    result.normal = facingNormal(surface.normal, d);
-    result.origin = leavingOrigin(surface, result.normal);
+    result.facing = facingNormal(surface.normal, d);
+    result.normal = shadingNormal(scene, hit, result.position, result.facing, d);
+    result.origin = leavingOrigin(surface, result.facing);
   }
   return result;
 }
@@ -62,6 +65,21 @@ Vec3<R> withLight(const Vertex<R>& vertex, const Vec3<R>& throughput, const Vec3
   return select(vertex.scatters, lit, vertex.radiance);
 }
 
+/// Whether a direction leads below a surface that only its shading normal has above it.
+template <class R>
+MaskOf<R> leadsBelow(const SceneView& scene, const Vertex<R>& vertex, const Vec3<R>& direction) {
+  if (!scene.effectSmooth) return MaskOf<R>(false);
+  return !(dot3(direction, vertex.facing) > R(0.0f));
+}
+
+/// Whether no light comes from a direction within a distance.
+template <class R>
+MaskOf<R> isBlocked(const SceneView& scene, const Vertex<R>& vertex, const Vec3<R>& direction,
+                    R distance) {
+  const MaskOf<R> behind = occluded(scene, makeRay(vertex.origin, direction, R(0.0f), distance));
+  return leadsBelow(scene, vertex, direction) || behind;
+}
+
 /// A path that ends at the vertex.
 template <class R>
 PathState<R> stop(const PathState<R>& state, const Vec3<R>& radiance) {
@@ -70,11 +88,12 @@ PathState<R> stop(const PathState<R>& state, const Vec3<R>& radiance) {
 
 /// The path's next ray, unless nothing of its throughput is left.
 template <class R>
-PathState<R> leave(const PathState<R>& state, const Vertex<R>& vertex, const Vec3<R>& radiance,
-                   const Vec3<R>& direction, const Vec3<R>& weight) {
+PathState<R> leave(const SceneView& scene, const PathState<R>& state, const Vertex<R>& vertex,
+                   const Vec3<R>& radiance, const Vec3<R>& direction, const Vec3<R>& weight) {
   const Vec3<R> throughput = state.throughput * weight;
   const Ray<R> ray = makeRay(vertex.origin, direction, R(0.0f), R(kLargest));
-  const MaskOf<R> alive = vertex.scatters && !isBlack(throughput);
+  const MaskOf<R> alive =
+      vertex.scatters && !isBlack(throughput) && !leadsBelow(scene, vertex, direction);
   return {state.key, ray, throughput, radiance, state.bounce + IntOf<R>(1), alive};
 }
 

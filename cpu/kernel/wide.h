@@ -255,12 +255,13 @@ TWINTRACE_INLINE TexelBlock<R, texelCount> fetchRecord(const SceneView& scene, i
 inline Hit<WideFloat> queryHull(const SceneView& scene, const Ray<WideFloat>& ray) {
   Hit<WideFloat> hit{ray.tmax, WideInt(kNoPrimitive)};
   for (int i = 0; i < kLanes; ++i) {
-    const float origin[3] = {ray.origin.x.lane(i), ray.origin.y.lane(i), ray.origin.z.lane(i)};
-    const float direction[3] = {ray.direction.x.lane(i), ray.direction.y.lane(i),
-                                ray.direction.z.lane(i)};
+    const HullQueryRay<float> query{
+        {ray.origin.x.lane(i), ray.origin.y.lane(i), ray.origin.z.lane(i)},
+        {ray.direction.x.lane(i), ray.direction.y.lane(i), ray.direction.z.lane(i)},
+        ray.tmin.lane(i),
+        ray.tmax.lane(i)};
     float t = 0.0f;
-    const int primitive =
-        scene.hull->closest(origin, direction, ray.tmin.lane(i), ray.tmax.lane(i), t);
+    const int primitive = scene.hull->closest(query, t);
     if (primitive == kNoPrimitive) continue;
     hit.t.value[i] = t;
     hit.primitive.value[i] = primitive;

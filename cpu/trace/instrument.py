@@ -168,6 +168,7 @@ class Instrumenter:
             text = self.header(name, text)
             if name == "namespace.h":  # which all of the kernel includes
                 text += '\n#include "cpu/trace/recorder.h"\n'
+            (directory / name).parent.mkdir(parents=True, exist_ok=True)
             (directory / name).write_text(text)
         (output / "traced_tables.h").write_text(self.tables())
 

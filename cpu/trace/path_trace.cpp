@@ -1,6 +1,6 @@
 #include "cpu/trace/path_trace.h"
 
-#include "cpu/embree_hull.h"
+#include "cpu/hull_walk.h"
 #include "cpu/trace/entry.h"
 
 namespace twintrace {
@@ -8,7 +8,7 @@ namespace twintrace {
 CpuPathTracer::CpuPathTracer(std::shared_ptr<const FlatScene> scene, const RenderOptions& options)
     : scene_(std::move(scene)),
       options_(options),
-      hull_(options.hull == "embree" ? makeEmbreeHull(*scene_, options) : nullptr),
+      hull_(makeHullQuery(*scene_, options)),
       program_(tracedKernelProgram()) {}
 
 CallTrace CpuPathTracer::trace(const PixelPosition& pixel, std::uint32_t sample) const {

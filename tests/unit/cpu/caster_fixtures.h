@@ -12,7 +12,7 @@
 
 namespace twintrace::test {
 
-using Shape = std::variant<SphereShape, BoxShape, PlaneShape>;
+using Shape = decltype(Object::shape);
 
 /// A flat scene of these shapes, all of one grey material.
 inline std::shared_ptr<const FlatScene> flatSceneOf(const std::vector<Shape>& shapes) {

@@ -8,7 +8,7 @@
 
 #include "common/base/error.h"
 #include "common/base/flush_denormals.h"
-#include "cpu/kernel/surface.h"
+#include "cpu/kernel/hit_surface.h"
 #include "cpu/kernel/traverse.h"
 #include "tests/catch.h"
 #include "tests/unit/cpu/caster_fixtures.h"
@@ -96,7 +96,11 @@ class Pair {
 
   CastHit byHull(const CastRay& ray) const {
     float t = 0.0f;
-    const int primitive = hull_->closest(&ray.origin.x, &ray.direction.x, ray.tmin, ray.tmax, t);
+    const HullQueryRay<float> query{{ray.origin.x, ray.origin.y, ray.origin.z},
+                                    {ray.direction.x, ray.direction.y, ray.direction.z},
+                                    ray.tmin,
+                                    ray.tmax};
+    const int primitive = hull_->closest(query, t);
     if (primitive == kernel::kNoPrimitive) return {};
     return {t, primitive, {}};
   }

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "common/base/flush_denormals.h"
-#include "cpu/kernel/triangle.h"
+#include "cpu/kernel/surface.h"
 #include "tests/catch.h"
 
 namespace twintrace::kernel {

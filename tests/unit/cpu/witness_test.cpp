@@ -11,7 +11,7 @@
 #include "common/base/flush_denormals.h"
 #include "cpu/kernel/path_state.h"
 #include "cpu/kernel/sampling.h"
-#include "cpu/kernel/surface.h"
+#include "cpu/kernel/hit_surface.h"
 #include "cpu/kernel/traverse.h"
 #include "cpu/kernel_caster.h"
 #include "tests/catch.h"
@@ -102,7 +102,7 @@ struct Account {
 };
 
 double residual(const kernel::SceneView& scene, const CastRay& ray, const CastHit& hit) {
-  return hit.valid() ? test::localPrimitive(scene, ray, hit.primitive).residual(hit.t) : 0.0;
+  return hit.valid() ? test::residualOf(scene, ray, hit) : 0.0;
 }
 
 Account accountFor(const kernel::SceneView& scene, const RayKind& kind, RayCaster& kernelCaster,

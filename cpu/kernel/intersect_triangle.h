@@ -1,8 +1,9 @@
 #pragma once
 
-// Twin of shaders/triangle.glsl: triangles, seen from both sides.
+// Twin of shaders/intersect_triangle.glsl: intersections with triangles, seen from both sides.
 
-#include "cpu/kernel/surface.h"
+#include "cpu/kernel/ray.h"
+#include "cpu/kernel/records.h"
 
 TWINTRACE_KERNEL_BEGIN
 
@@ -48,7 +49,7 @@ Vec3<R> beside(const Vec3<R>& direction, const Vec3<R>& vertex) {
   return {rounded<R>(x), rounded<R>(y), vertex.z};
 }
 
-/// Woop, Benthin and Wald 2013, with exact edge functions: see shaders/triangle.glsl.
+/// Woop, Benthin and Wald 2013, with exact edge functions: see shaders/intersect_triangle.glsl.
 /// @param ray its direction's largest component is within [0.5, 2).
 template <class R>
 R intersectTriangleRobust(const Ray<R>& ray, const Triangle<R>& triangle) {
@@ -68,49 +69,6 @@ R intersectTriangleRobust(const Ray<R>& ray, const Triangle<R>& triangle) {
   const MaskOf<R> back = u <= zero && v <= zero && w <= zero && determinant < zero;
   const MaskOf<R> valid = (front || back) && t >= ray.tmin;
   return select(valid, t, R(kInfinity));
-}
-
-template <class R>
-R intersectTriangle(const SceneView& scene, const Ray<R>& ray, const Triangle<R>& triangle) {
-  if (scene.intersectorReport) return intersectTriangleReport(ray, triangle);
-  return intersectTriangleRobust(ray, triangle);
-}
-
-/// Unit, along (b - a) x (c - a), in double since slivers have none in float; +y without an area.
-template <class R>
-Vec3<R> triangleNormal(const Triangle<R>& triangle) {
-  using Wider = WiderOf<R>;
-  const Vec3<Wider> edge1 = wider3(triangle.b) - wider3(triangle.a);
-  const Vec3<Wider> edge2 = wider3(triangle.c) - wider3(triangle.a);
-  const Wider x = edge1.y * edge2.z - edge1.z * edge2.y;
-  const Wider y = edge1.z * edge2.x - edge1.x * edge2.z;
-  const Wider z = edge1.x * edge2.y - edge1.y * edge2.x;
-  const Wider squared = (x * x + y * y) + z * z;
-  const Wider size = rootOf(squared);
-  const Vec3<R> unit(rounded<R>(x / size), rounded<R>(y / size), rounded<R>(z / size));
-  const MaskOf<R> hasArea = squared > Wider(0.0f);
-  return select(hasArea, unit, Vec3<R>(R(0.0f), R(1.0f), R(0.0f)));
-}
-
-template <class R>
-Surface<R> reportTriangleSurface(const Ray<R>& ray, R t, const Triangle<R>& triangle) {
-  return {pointAt(ray, t), triangleNormal(triangle), R(kReportOffset)};
-}
-
-template <class R>
-Surface<R> triangleSurface(const Ray<R>& ray, R t, const Triangle<R>& triangle) {
-  const Vec3<R> normal = triangleNormal(triangle);
-  const Vec3<R> position = broughtToPlane(pointAt(ray, t), triangle.a, normal);
-  const R ab = greatest(largestCoordinate(triangle.a), largestCoordinate(triangle.b));
-  const R reach = greatest(ab, largestCoordinate(triangle.c));
-  return {position, normal, reach * errorBound<R>(kOffsetScale)};
-}
-
-template <class R>
-Surface<R> chosenTriangleSurface(const SceneView& scene, const Ray<R>& ray, R t,
-                                 const Triangle<R>& triangle) {
-  if (scene.intersectorReport) return reportTriangleSurface(ray, t, triangle);
-  return triangleSurface(ray, t, triangle);
 }
 
 TWINTRACE_KERNEL_END
