@@ -1,9 +1,10 @@
 #include "experiments/probe/input_domains.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <limits>
+
+#include "common/hulls/hull_structure.h"
 
 namespace twintrace::probe {
 namespace {
@@ -152,6 +153,16 @@ IntDomain below(int SceneIndex::*count) {
   return within([=](const World& world) { return IntRange{0, world.scene.index.*count - 1}; });
 }
 IntRange primitives(const World& world) { return {0, world.scene.index.primitiveCount() - 1}; }
+/// Texels at which a hull's record may begin, whatever its volume: none has more than this many.
+constexpr int kMostRecordTexels = 16;
+IntRange hullRecords(const World& world) {
+  if (world.scene.hulls == nullptr) return {0, 0};
+  return {0, static_cast<int>(world.scene.hulls->texels.size()) - kMostRecordTexels};
+}
+IntRange hullNodes(const World& world) {
+  return {0, world.scene.hulls == nullptr ? 0 : world.scene.hulls->nodeCount - 1};
+}
+IntRange bounded(const World& world) { return {0, world.scene.index.boundedCount() - 1}; }
 IntRange texels(const World& world) { return {0, static_cast<int>(world.scene.texels.size()) - 1}; }
 
 int anyPrimitive(Source& from) {
@@ -265,10 +276,20 @@ const std::map<std::string, IntDomain, std::less<>>& intDomains() {
       {"visitedBox.index", below(&SceneIndex::boxCount)},
       {"fetchOrientedBox.index", below(&SceneIndex::orientedBoxCount)},
       {"visitedOrientedBox.index", below(&SceneIndex::orientedBoxCount)},
+      {"fetchTriangle.index", below(&SceneIndex::triangleCount)},
+      {"visitedTriangle.index", below(&SceneIndex::triangleCount)},
+      {"fetchSmoothIndex.triangle", below(&SceneIndex::triangleCount)},
+      {"fetchNormals.index", below(&SceneIndex::smoothCount)},
       {"fetchPlane.index", below(&SceneIndex::planeCount)},
       {"visitedPlane.index", below(&SceneIndex::planeCount)},
       {"fetchLight.index", below(&SceneIndex::lightCount)},
       {"fetchTexel.index", within(texels)},
+      {"intersectPrimitive.primitive", within(bounded)},
+      {"record", within(hullRecords)},
+      {"hullTexel", within(hullRecords)},
+      {"node", within(hullNodes)},
+      {"reference", within(bounded)},
+      {"group", between(0, 4)},
       {"texel", caseTexel()},
       {"firstTexel", caseTexel()},
       {"count", caseCount()},
@@ -276,6 +297,7 @@ const std::map<std::string, IntDomain, std::less<>>& intDomains() {
       {"bounceInView.hit.primitive", within(primitives)},
       {"answerInView.hit.primitive", maybePrimitive()},
       {"surfaceAt.hit.primitive", maybePrimitive()},
+      {"shadingNormal.hit.primitive", maybePrimitive()},
       {"powerOfTwo.exponent", between(-126, 127)},
       {"scaledByPower.exponent", between(-252, 254)},
       {"room", between(-94, 126)},

@@ -9,6 +9,7 @@ import pathlib
 import re
 
 NATIVE = "math_native.glsl"
+TWIN_FOLDERS = ("", "hulls", "hulls/volumes")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -43,8 +44,28 @@ def without_comments(text):
 
 
 def shader_files(root):
-    """The shader files that hold functions, as names below shaders/."""
-    return sorted(path.name for path in (pathlib.Path(root) / "shaders").glob("*.glsl"))
+    """The shader files that hold functions with twins, as names below shaders/. Walks through hulls are
+    loops over those, and what the host replaces calls them."""
+    shaders = pathlib.Path(root) / "shaders"
+    paths = [path for folder in TWIN_FOLDERS for path in (shaders / folder).glob("*.glsl")]
+    return sorted(str(path.relative_to(shaders)) for path in paths
+                  if not path.name.startswith("chosen_"))
+
+
+def twin_headers(root):
+    """The kernel's headers, as names below cpu/kernel/."""
+    kernel = pathlib.Path(root) / "cpu/kernel"
+    return sorted(str(path.relative_to(kernel)) for path in kernel.rglob("*.h"))
+
+
+def twin_name(shader):
+    """The header that holds the twins of a shader file's functions."""
+    return str(pathlib.PurePath(shader).with_suffix(".h"))
+
+
+def identifier(file):
+    """A file's name as part of an identifier."""
+    return re.sub(r"\W", "_", str(pathlib.PurePath(file).with_suffix("")))
 
 
 def block_end(text, opening):
@@ -130,7 +151,7 @@ class Sources:
         self.texts = {name: (root / "shaders" / name).read_text() for name in self.files}
         self.functions = [f for n in self.files for f in glsl_functions(self.texts[n], n)]
         self.structs = {s.name: s for n in self.files for s in structs(self.texts[n], n)}
-        self.twin_files = sorted(p.name for p in (root / "cpu/kernel").glob("*.h"))
+        self.twin_files = twin_headers(root)
         self.twin_texts = {n: (root / "cpu/kernel" / n).read_text() for n in self.twin_files}
         self.twins = {n: cpp_functions(t, n) for n, t in self.twin_texts.items()}
         self.native = {(f.name, tuple(p.type for p in f.parameters))
@@ -147,6 +168,7 @@ class Sources:
 # callers, and the third witness checks them alone.
 WITHOUT_TWIN = {
     "fetchTexel": "the kernel reads words, by fetchNumber and fetchInteger",
+    "fetchHullTexel": "the kernel's texel is GLM's, which traces do not know",
     "floats3": "the kernel reads words, not texels",
     "float4th": "the kernel reads words, not texels",
 }

@@ -92,7 +92,7 @@ ShaderSource sourceForReference(const ShaderLibrary& library, const World& world
                                 const RenderOptions& options) {
   ShaderRequest request = specialise(world.scene, options);
   request.main = kUserPath;
-  for (const auto& [name, value] : indexConstants(world.scene.index)) {
+  for (const auto& [name, value] : indexConstants(world.scene)) {
     const std::string uniform = fmt::format("uniform int {};", name);
     const std::size_t at = request.prelude.find(uniform);
     if (at == std::string::npos) continue;

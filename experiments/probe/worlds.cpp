@@ -1,8 +1,13 @@
 #include "experiments/probe/worlds.h"
 
 #include <bit>
+#include <memory>
+#include <utility>
 
 #include "common/cast/case_texels.h"
+#include "common/generate/parts.h"
+#include "common/hulls/hull_structure.h"
+#include "common/mesh/load_mesh.h"
 #include "common/scene/reader.h"
 
 namespace twintrace::probe {
@@ -112,6 +117,29 @@ void addEnvironment(FlatScene& scene) {
   }
 }
 
+// A pyramid about `top`, of three triangles that share it.
+Mesh pyramid(const glm::vec3& top) {
+  Mesh mesh;
+  mesh.positions = {top, top + glm::vec3(-0.4f, -0.7f, 0.3f), top + glm::vec3(0.5f, -0.6f, 0.2f),
+                    top + glm::vec3(0.1f, -0.8f, -0.5f)};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+  addNormals(mesh);
+  return mesh;
+}
+
+// A mesh without a file, for the scene's first material.
+void addMesh(Scene& scene, const std::string& name, const glm::vec3& top, bool smooth) {
+  Parts parts;
+  parts.mesh = pyramid(top);
+  MeshShape shape;
+  shape.smooth = smooth;
+  shape.parts = std::make_shared<const Parts>(std::move(parts));
+  Object object;
+  object.name = name;
+  object.shape = shape;
+  scene.objects.push_back(object);
+}
+
 // One primitive of each kind near the origin, again and again, a little further along x.
 void addCases(FlatScene& scene) {
   const CasePrimitive kinds[] = {
@@ -131,14 +159,25 @@ void addCases(FlatScene& scene) {
   scene.texels.insert(scene.texels.end(), packed.texels.begin(), packed.texels.end());
 }
 
+// Hulls of all the slabs there are, in a tree: records of every volume can be read from them.
+std::shared_ptr<const HullStructure> hullsOf(const FlatScene& scene) {
+  const HullStrategy* slabs = findHullStrategy("kdop26");
+  HullStrategy strategy{"probe", "", HullArrangement::tree, HullGrouping::sah, slabs->volume};
+  return std::make_shared<const HullStructure>(buildHulls(scene, strategy));
+}
+
 World makeWorld(const std::string& name, const RenderOptions& options) {
   World world;
   world.name = name;
   world.options = options;
   world.options.effects = "all";
-  world.scene = flatten(parseScene(kScene, "probe.toml"), world.options);
+  Scene scene = parseScene(kScene, "probe.toml");
+  addMesh(scene, "facets", {-0.2f, 0.9f, 0.7f}, false);
+  addMesh(scene, "cloth", {0.7f, 0.8f, 0.6f}, true);
+  world.scene = flatten(scene, world.options);
   addEnvironment(world.scene);
   addCases(world.scene);
+  if (options.geometry != Geometry::literal) world.scene.hulls = hullsOf(world.scene);
   world.view = kernel::viewScene(world.scene, world.options, nullptr);
   return world;
 }

@@ -15,7 +15,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "experiments/probe"))
 
 from generate import Generator, own_parameters  # noqa: E402
-from shader_text import WITHOUT_TWIN  # noqa: E402
+from shader_text import WITHOUT_TWIN, identifier  # noqa: E402
 
 # The same in all lanes of a wide call.
 UNIFORM_TYPES = ["int", "std::uint32_t", "bool", "Frame", "Light<R>"]
@@ -46,9 +46,9 @@ class TestGenerator(Generator):
              '#include "experiments/probe/words.h"', '#include "tests/parity/parity.h"',
              '#include "witness_transfer.h"', "",
              # Of its own, since several files are compiled as one.
-             f"namespace twintrace::parity::of_{pathlib.Path(file).stem} {{", "namespace {", "",
+             f"namespace twintrace::parity::of_{identifier(file)} {{", "namespace {", "",
              "using probe::WordReader;", "using probe::WordWriter;", ""] + parts +
-            ["}  // namespace", f"}}  // namespace twintrace::parity::of_{pathlib.Path(file).stem}", ""])
+            ["}  // namespace", f"}}  // namespace twintrace::parity::of_{identifier(file)}", ""])
 
     def witness_transfer(self):
         parts = [self.transfer(f"Witness::{s.name}", s.fields, "")
@@ -94,7 +94,7 @@ class TestGenerator(Generator):
                 "\nconstexpr WideFunction kWideFunctions[] = {\n" + "\n".join(rows) + "\n};\n")
 
     def texts(self):
-        texts = {f"parity_{pathlib.Path(f).stem}.cpp": self.test_file(f) for f in self.sources.files}
+        texts = {f"parity_{identifier(f)}.cpp": self.test_file(f) for f in self.sources.files}
         texts["all_shaders.h"] = "".join(f'#include "shaders/{f}"\n' for f in self.sources.files)
         texts["kernel_transfer.h"] = self.kernel_transfer()
         texts["witness_transfer.h"] = self.witness_transfer()

@@ -170,7 +170,7 @@ void checkAllScenes(Integrator integrator) {
     if (isAvailable(provider)) providers.push_back(provider);
   }
   const auto scenes = shippedScenes();
-  CHECK(scenes.size() >= 7);
+  CHECK(scenes.size() >= 8);
   for (const auto& path : scenes) {
     const Scene scene = readScene(path);
     for (const Noise noise : {Noise::sine, Noise::pcg}) {

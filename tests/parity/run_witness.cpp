@@ -1,4 +1,5 @@
 #include "common/base/flush_denormals.h"
+#include "common/hulls/hull_structure.h"
 #include "tests/parity/parity.h"
 
 namespace twintrace::parity {
@@ -22,11 +23,14 @@ Witness witnessOf(const FlatScene& scene, const RenderOptions& options) {
   w.kSphereCount = index.sphereCount;
   w.kBoxCount = index.boxCount;
   w.kOrientedBoxCount = index.orientedBoxCount;
+  w.kTriangleCount = index.triangleCount;
   w.kPlaneCount = index.planeCount;
   w.kLightCount = index.lightCount;
   w.kSphereOffset = index.sphereOffset;
   w.kBoxOffset = index.boxOffset;
   w.kOrientedBoxOffset = index.orientedBoxOffset;
+  w.kTriangleOffset = index.triangleOffset;
+  w.kSmoothOffset = index.smoothOffset;
   w.kPlaneOffset = index.planeOffset;
   w.kInfoOffset = index.infoOffset;
   w.kMaterialOffset = index.materialOffset;
@@ -34,6 +38,13 @@ Witness witnessOf(const FlatScene& scene, const RenderOptions& options) {
   w.kEnvironmentOffset = index.environmentOffset;
   w.kEnvironmentWidth = index.environmentWidth;
   w.kEnvironmentHeight = index.environmentHeight;
+  if (scene.hulls == nullptr) return w;
+  w.hullTexels = scene.hulls->texels;
+  w.hullReach = scene.hulls->reach;
+  w.kHullGroups = scene.hulls->volume.groups;
+  w.kHullNodeTexels = scene.hulls->nodeTexels;
+  w.kHullNodeCount = scene.hulls->nodeCount;
+  w.kHullReferenceOffset = scene.hulls->referenceOffset;
   return w;
 }
 

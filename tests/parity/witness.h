@@ -23,12 +23,14 @@ using namespace twintrace::layout;
 #define precise
 
 struct Witness {
-  std::span<const uvec4> sceneTexels;
+  std::span<const uvec4> sceneTexels, hullTexels;
+  float hullReach = 0.0f;
   vec3 cameraOrigin, cameraCorner, cameraStepX, cameraStepY, cameraLensX, cameraLensY;
   vec3 environmentRadiance;
   float environmentTurn = 0.0f;
 
   bool kEffectSphere = true, kEffectBox = true, kEffectOrientedBox = true, kEffectPlane = true;
+  bool kEffectTriangle = true, kEffectSmooth = true;
   bool kEffectEmission = true, kEffectDiffuse = true, kEffectMirror = true, kEffectGgx = true;
   bool kEffectPhong = true, kEffectEnvironmentImage = true, kEffectPointLight = true;
   bool kEffectSphereLight = true, kEffectSunLight = true, kEffectLens = true;
@@ -37,8 +39,10 @@ struct Witness {
   bool kNoiseSine = false, kIntersectorReport = false;
   int kIntegrator = 0;
   int kSphereCount = 0, kBoxCount = 0, kOrientedBoxCount = 0, kPlaneCount = 0, kLightCount = 0;
+  int kTriangleCount = 0, kTriangleOffset = 0, kSmoothOffset = 0;
   int kSphereOffset = 0, kBoxOffset = 0, kOrientedBoxOffset = 0, kPlaneOffset = 0;
   int kInfoOffset = 0, kMaterialOffset = 0, kLightOffset = 0;
+  int kHullGroups = 1, kHullNodeTexels = 0, kHullNodeCount = 0, kHullReferenceOffset = 0;
   int kEnvironmentOffset = 0, kEnvironmentWidth = 0, kEnvironmentHeight = 0;
 
   // GLM's is a selection that leaves the sign of a denormal where denormals are zero.

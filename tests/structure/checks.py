@@ -171,10 +171,10 @@ def check_builtins(root):
 def check_twins(root):
     """Each shader file has a twin with the same functions in the same order. A twin may hold more:
     overloads for other number types, and what C++ needs to stand in for GLSL."""
-    anywhere = {f.name for p in (root / "cpu/kernel").glob("*.h")
-                for f in cpp_functions(p.read_text(), p.name)}
+    anywhere = {f.name for n in shader_text.twin_headers(root)
+                for f in cpp_functions((root / "cpu/kernel" / n).read_text(), n)}
     for name in shader_text.shader_files(root):
-        twin = root / "cpu/kernel" / name.replace(".glsl", ".h")
+        twin = root / "cpu/kernel" / shader_text.twin_name(name)
         if not twin.exists():
             yield f"shaders/{name}: no twin {twin.relative_to(root)}"
             continue
@@ -183,12 +183,12 @@ def check_twins(root):
         theirs = list(dict.fromkeys(f.name for f in cpp_functions(twin.read_text(), twin.name)))
         for missing in (n for n in ours if n not in theirs):
             if missing not in anywhere:
-                yield f"cpu/kernel/{twin.name}: {missing} of shaders/{name} is missing"
+                yield f"{twin.relative_to(root)}: {missing} of shaders/{name} is missing"
         common = [n for n in ours if n in theirs]
         order = [n for n in theirs if n in common]
         if common != order:
             first = next(a for a, b in zip(order, common) if a != b)
-            yield f"cpu/kernel/{twin.name}: {first} stands elsewhere than in shaders/{name}"
+            yield f"{twin.relative_to(root)}: {first} stands elsewhere than in shaders/{name}"
 
 
 # What the files of a folder may include of the project.

@@ -90,7 +90,6 @@ class Planted(unittest.TestCase):
         line = self.plant(name, "  precise dvec3 moved =",
                           "  if (0.0f > height * height) {\n  }\n  precise dvec3 moved =")
         self.assert_found("precise", f"{name}:{line}: if in broughtToPlane computes")
-        name = "shaders/triangle.glsl"
         line = self.plant(name, "sqrt(squared)", "sqrt(x * x + y * y)")
         self.assert_found("precise", f"{name}:{line}: an argument of sqrt in triangleNormal")
 
