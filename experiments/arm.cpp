@@ -54,6 +54,9 @@ void checkGpuOptions(const RenderOptions& options) {
         "found precision double with backend gpu, expected backend cpu or precision "
         "float");
   }
+  if (options.hull == "bvh8") {
+    throw UsageError("found hull bvh8 with backend gpu, expected backend cpu or hull bvh");
+  }
   if (options.hull == "embree") {
     throw UsageError(
         "found hull embree with backend gpu, expected backend cpu or hull auto or none");

@@ -10,7 +10,6 @@
 #include "common/cast/case_csv.h"
 #include "common/cast/rays_csv.h"
 #include "common/cast/scene_cases.h"
-#include "common/scene/reader.h"
 #include "cpu/exact/arbiter.h"
 #include "experiments/arm.h"
 #include "experiments/cast/hits_output.h"
@@ -20,6 +19,7 @@
 #include "experiments/cli/command_line.h"
 #include "experiments/cli/interrupt.h"
 #include "experiments/cli/progress_display.h"
+#include "experiments/cli/scene_input.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/outputs.h"
 
@@ -116,7 +116,7 @@ class CastCommand {
   }
 
   Docket docketOfScene() {
-    const Scene scene = readScene(scenePath_);
+    const Scene scene = openScene(console_, scenePath_);
     options_ = applyOptions(scene.render, given_);
     const RaysFile file = readRays(raysPath_);
     return {scenePath_, casesOf(*flattenScene(scene, options_), file.rays), HitsFormat::rays,

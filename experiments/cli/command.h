@@ -21,9 +21,11 @@ Command addRenderCommand(CLI::App& program, const Console& console);
 Command addCompareCommand(CLI::App& program, const Console& console);
 Command addCastCommand(CLI::App& program, const Console& console);
 Command addExplainCommand(CLI::App& program, const Console& console);
+Command addImportCommand(CLI::App& program, const Console& console);
 Command addMergeCommand(CLI::App& program, const Console& console);
 Command addPickCommand(CLI::App& program, const Console& console);
 Command addProbeCommand(CLI::App& program, const Console& console);
+Command addHullsCommand(CLI::App& program, const Console& console);
 Command addInfoCommand(CLI::App& program, const Console& console);
 
 }  // namespace twintrace

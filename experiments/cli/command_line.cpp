@@ -37,7 +37,8 @@ class Program {
     commands_ = {addRenderCommand(app_, console_),  addCompareCommand(app_, console_),
                  addCastCommand(app_, console_),    addMergeCommand(app_, console_),
                  addPickCommand(app_, console_),    addProbeCommand(app_, console_),
-                 addExplainCommand(app_, console_), addInfoCommand(app_, console_)};
+                 addExplainCommand(app_, console_), addHullsCommand(app_, console_),
+                 addImportCommand(app_, console_),  addInfoCommand(app_, console_)};
     // Left-over words are judged here, with a suggestion.
     for (const Command& command : commands_) command.app->allow_extras();
   }

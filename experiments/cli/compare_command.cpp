@@ -6,12 +6,12 @@
 #include "common/base/error.h"
 #include "common/base/wording.h"
 #include "common/scene/option_names.h"
-#include "common/scene/reader.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
 #include "experiments/cli/compare_text.h"
 #include "experiments/cli/interrupt.h"
 #include "experiments/cli/progress_display.h"
+#include "experiments/cli/scene_input.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/compare_files.h"
 #include "experiments/explain/difference_classes.h"
@@ -62,7 +62,7 @@ class CompareCommand {
     if (!errorsA_.empty() || !errorsB_.empty()) {
       throw UsageError("found --stderr-a or --stderr-b with a scene, expected two pictures");
     }
-    const Scene scene = readScene(inputs_.front());
+    const Scene scene = openScene(console_, inputs_.front());
     ArmOptions options = armOptions(scene.render);
     const bool paired = isPaired(options);
     std::vector<std::string> notes = fitForTests(options);

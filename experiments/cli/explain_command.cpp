@@ -7,10 +7,10 @@
 #include "common/base/error.h"
 #include "common/base/wording.h"
 #include "common/scene/option_names.h"
-#include "common/scene/reader.h"
 #include "experiments/arm.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
+#include "experiments/cli/scene_input.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/compare_arms.h"
 #include "experiments/explain/explain_text.h"
@@ -58,7 +58,7 @@ class ExplainCommand {
   }
 
   int run() {
-    const Scene scene = readScene(scenePath_);
+    const Scene scene = openScene(console_, scenePath_);
     const ArmOptions options{armOptions(scene.render, "cpu", listA_),
                              armOptions(scene.render, "gpu", listB_)};
     checkArms(options);

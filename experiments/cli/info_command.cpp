@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "common/base/error.h"
-#include "common/scene/reader.h"
 #include "experiments/arm.h"
 #include "experiments/build_info.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
+#include "experiments/cli/scene_input.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/effect_ledger.h"
 #include "experiments/machine.h"
@@ -55,6 +55,7 @@ Json sceneJson(const Scene& scene, const RenderOptions& options) {
           {"spheres", index.sphereCount},
           {"boxes", index.boxCount},
           {"oriented_boxes", index.orientedBoxCount},
+          {"triangles", index.triangleCount},
           {"planes", index.planeCount},
           {"materials", index.materialCount},
           {"lights", index.lightCount},
@@ -131,7 +132,7 @@ class InfoCommand {
     Json json;
     std::string text;
     if (!scenePath_.empty()) {
-      const Scene scene = readScene(scenePath_);
+      const Scene scene = openScene(console_, scenePath_);
       options = scene.render;
       json = sceneJson(scene, applyOptions(options, given_));
       text = sceneText(json);

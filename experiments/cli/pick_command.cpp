@@ -5,10 +5,10 @@
 
 #include "common/base/error.h"
 #include "common/base/wording.h"
-#include "common/scene/reader.h"
 #include "experiments/arm.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
+#include "experiments/cli/scene_input.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/pick.h"
 
@@ -46,7 +46,7 @@ class PickCommand {
   }
 
   int run() const {
-    const Scene scene = readScene(scenePath_);
+    const Scene scene = openScene(console_, scenePath_);
     const RenderOptions options = applyOptions(scene.render, given_);
     const PixelPosition pixel = parsePixel(pixel_);
     checkAnswer(answer_);

@@ -7,12 +7,12 @@
 
 #include "common/base/error.h"
 #include "common/scene/option_names.h"
-#include "common/scene/reader.h"
 #include "experiments/arm.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
 #include "experiments/cli/interrupt.h"
 #include "experiments/cli/progress_display.h"
+#include "experiments/cli/scene_input.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/probe/replay_command.h"
 #include "experiments/probe/inputs.h"
@@ -212,7 +212,7 @@ class ProbeCommand {
       world.options.maths = options.maths;
       return world;
     }
-    const Scene scene = readScene(scene_);
+    const Scene scene = openScene(console_, scene_);
     const RenderOptions own = layOptions(scene.render, given_);
     checkOptions(own);
     return probe::sceneWorld(*flattenScene(scene, own), own);

@@ -5,11 +5,11 @@
 #include "common/base/error.h"
 #include "common/film/film_file.h"
 #include "common/scene/option_names.h"
-#include "common/scene/reader.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/command_line.h"
 #include "experiments/cli/interrupt.h"
 #include "experiments/cli/progress_display.h"
+#include "experiments/cli/scene_input.h"
 #include "experiments/cli/shared_options.h"
 #include "experiments/outputs.h"
 #include "experiments/passport/stored_passports.h"
@@ -36,7 +36,7 @@ class RenderCommand {
   }
 
   int run() {
-    const Scene scene = readScene(scenePath_);
+    const Scene scene = openScene(console_, scenePath_);
     const RenderOptions options = applyOptions(scene.render, given_);
     checkOptions(options);
     if (options.backend == BackEnd::cpu && !options.shaderOverrides.empty()) {

@@ -32,7 +32,7 @@ TEST_CASE("An unknown command exits with 2 and gets the nearest one", "[cli]") {
 
 TEST_CASE("Commands of later versions are unknown", "[cli]") {
   const TemporaryDirectory directory;
-  for (const char* command : {"preview", "view", "probe", "cast", "explain", "hulls", "run"}) {
+  for (const char* command : {"preview", "view", "probe", "cast", "explain", "run"}) {
     INFO(command);
     CHECK(runProgram(directory, {command, kCornell}).exitCode == 2);
   }

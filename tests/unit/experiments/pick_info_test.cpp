@@ -67,6 +67,6 @@ TEST_CASE("info of a scene counts it and accounts for each effect", "[cli]") {
   CHECK(json["scene"]["primitives"] == 8);
   CHECK(json["scene"]["effects"]["mirror"]["compiled_in"] == true);
   CHECK(json["scene"]["effects"]["plane"]["compiled_in"] == false);
-  CHECK(json["scene"]["effects"].size() == 15);
+  CHECK(json["scene"]["effects"].size() == 17);
   CHECK(runProgram(directory, {"info", "--spp", "3"}).exitCode == 2);
 }
