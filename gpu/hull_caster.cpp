@@ -45,6 +45,13 @@ std::vector<glm::uvec4> rayTexels(std::span<const CastRay> rays) {
 constexpr std::size_t kAnswerFloats = 9;
 using Answer = std::array<float, kAnswerFloats>;
 
+/// @throws DeviceError for a ray whose loops the device ended.
+void requireWhole(const Context& context, const Answer& answer) {
+  if (answer[0] == answer[0]) return;
+  throw DeviceError(context.renderer() +
+                    " ends loops before their time: too many primitives without hulls");
+}
+
 HullHit hitOf(const Answer& answer) {
   const bool missed = answer[1] >= static_cast<float>(kMostPrimitives);
   return {answer[0], missed ? layout::kNoPrimitive : static_cast<std::int32_t>(answer[1])};
@@ -100,6 +107,7 @@ class GpuHullCaster : public HullCaster {
   double run(Program& program, std::span<const CastRay> rays, bool counting, const Take& take) {
     setSceneUniforms(program, *scene_, options_);
     program.set("rayTexels", static_cast<std::int32_t>(kRayUnit));
+    program.set("loopRounds", 2);
     textures_->bind();
     double seconds = 0.0;
     for (std::size_t first = 0; first < rays.size(); first += kChunk) {
@@ -107,7 +115,10 @@ class GpuHullCaster : public HullCaster {
       const BufferTexture texels(*context_, rayTexels(rays.subspan(first, count)));
       texels.bind(kRayUnit);
       program.set("rayCount", static_cast<std::int32_t>(count));
-      const auto keep = [&](std::size_t i, const Answer& answer) { take(first + i, answer); };
+      const auto keep = [&](std::size_t i, const Answer& answer) {
+        requireWhole(*context_, answer);
+        take(first + i, answer);
+      };
       seconds += options_.stage == Stage::fragment ? draw(program, count, counting, keep)
                                                    : dispatch(program, count, counting, keep);
     }

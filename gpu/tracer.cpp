@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/base/error.h"
+#include "common/base/flush_denormals.h"
 #include "common/hulls/hull_structure.h"
 #include "gpu/buffers.h"
 #include "gpu/context.h"
@@ -59,6 +60,34 @@ class GpuRenderer : public Renderer {
   double renderFrame(std::uint32_t firstSample, int passes, std::span<float> sums) override {
     assert(sums.size() == std::size_t{3} * scene_->width * scene_->height);
     const Context::Current current = context_->use();
+    double seconds = 0;
+    if (!passByPass_) {
+      seconds += renderPasses(firstSample, passes, sums);
+      if (!loopsCut_) return seconds;
+      passByPass_ = true;
+    }
+    return seconds + renderPassByPass(firstSample, passes, sums);
+  }
+
+  Provenance provenance() const override {
+    Provenance facts = {{"backend", "gpu"},
+                        {"gl_renderer", context_->renderer()},
+                        {"gl_version", context_->version()},
+                        {"gl_source", context_->source()},
+                        {"geometry", usesLiteralGeometry(*scene_, options_) ? "literal" : "buffer"},
+                        {"hull", hullName(*scene_)},
+                        {"program", programs_.counts().compiled > 0 ? "compiled" : "cached"}};
+    if (passByPass_) facts.emplace_back("passes_apart", "the device ends long loops");
+    if (!unusedOverrides_.empty()) facts.emplace_back("unused_overrides", unusedOverrides_);
+    addPassport(facts);
+    if (deviceSeconds_ > 0) facts.emplace_back("device_seconds", std::to_string(deviceSeconds_));
+    return facts;
+  }
+
+ private:
+  /// All passes of a frame in one draw for each tile. Sets loopsCut_ if the device ended a loop early.
+  double renderPasses(std::uint32_t firstSample, int passes, std::span<float> sums) {
+    loopsCut_ = false;
     program_->set("firstSampleIndex", firstSample);
     program_->set("passCount", passes);
     textures_->bind();
@@ -72,21 +101,23 @@ class GpuRenderer : public Renderer {
     return seconds;
   }
 
-  Provenance provenance() const override {
-    Provenance facts = {{"backend", "gpu"},
-                        {"gl_renderer", context_->renderer()},
-                        {"gl_version", context_->version()},
-                        {"gl_source", context_->source()},
-                        {"geometry", usesLiteralGeometry(*scene_, options_) ? "literal" : "buffer"},
-                        {"hull", hullName(*scene_)},
-                        {"program", programs_.counts().compiled > 0 ? "compiled" : "cached"}};
-    if (!unusedOverrides_.empty()) facts.emplace_back("unused_overrides", unusedOverrides_);
-    addPassport(facts);
-    if (deviceSeconds_ > 0) facts.emplace_back("device_seconds", std::to_string(deviceSeconds_));
-    return facts;
+  /// The same sums, pass by pass: few enough rounds of loops for devices that limit them.
+  double renderPassByPass(std::uint32_t firstSample, int passes, std::span<float> sums) {
+    std::vector<float> pass(sums.size());
+    double seconds = 0;
+    for (int i = 0; i < passes; ++i) {
+      seconds += renderPasses(firstSample + static_cast<std::uint32_t>(i), 1, i == 0 ? sums : pass);
+      if (loopsCut_) {
+        throw DeviceError(context_->renderer() +
+                          " ends loops before their time: too many primitives or bounces for it; "
+                          "expected a hull strategy, or fewer bounces");
+      }
+      const FlushDenormals flush;  // as the shaders add
+      for (std::size_t k = 0; i > 0 && k < sums.size(); ++k) sums[k] += pass[k];
+    }
+    return seconds;
   }
 
- private:
   /// Shaders whose replacement the program doesn't include, as in "math.glsl, path.glsl".
   std::string unusedOverrides(const ShaderSource& source) const {
     std::string unused;
@@ -110,8 +141,8 @@ class GpuRenderer : public Renderer {
     return static_cast<std::size_t>(tileWidth_) * static_cast<std::size_t>(tileHeight_);
   }
 
-  /// Floats per pixel that the stage writes.
-  std::size_t channels() const { return options_.stage == Stage::fragment ? 4 : 3; }
+  /// Floats per pixel that both stages write: the sum, and 1 if all loops ran to their ends.
+  static constexpr std::size_t channels() { return 4; }
 
   /// @return seconds of wall time until the device is done.
   double renderTile(int x, int y) {
@@ -142,7 +173,10 @@ class GpuRenderer : public Renderer {
     for (int y = 0; y < rows; ++y) {
       const float* from = &pixels_[static_cast<std::size_t>(y) * tileWidth_ * channels()];
       float* to = &sums[3 * (static_cast<std::size_t>(y0 + y) * scene_->width + x0)];
-      for (int x = 0; x < columns; ++x, from += channels(), to += 3) std::copy_n(from, 3, to);
+      for (int x = 0; x < columns; ++x, from += channels(), to += 3) {
+        std::copy_n(from, 3, to);
+        loopsCut_ = loopsCut_ || from[3] != 1.0f;
+      }
     }
   }
 
@@ -153,6 +187,7 @@ class GpuRenderer : public Renderer {
     program_->set("tileHeight", tileHeight_);
     program_->set("bounceLimit", options_.bounces);
     program_->set("seedValue", options_.seed);
+    program_->set("loopRounds", 2);
   }
 
   std::shared_ptr<const FlatScene> scene_;
@@ -170,6 +205,8 @@ class GpuRenderer : public Renderer {
   std::vector<float> pixels_;
   std::string unusedOverrides_;
   double deviceSeconds_ = 0;
+  bool loopsCut_ = false;    ///< by the device, in the last draws
+  bool passByPass_ = false;  ///< since it did so once
 };
 
 }  // namespace

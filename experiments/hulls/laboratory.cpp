@@ -177,9 +177,13 @@ class Laboratory {
     }
     for (RaySet& set : sets_) {
       run.kind = set.kind;
-      added.push_back(benches_.size());
       benches_.push_back({run, &set, caster});
-      tryOut(benches_.back(), set);
+      try {
+        tryOut(benches_.back(), set);
+        added.push_back(benches_.size() - 1);
+      } catch (const DeviceError& error) {
+        benches_.back().run.missing = error.what();
+      }
     }
   }
 

@@ -1,5 +1,7 @@
 #include "gpu/tracer.h"
 
+#include <cmath>
+
 #include "common/base/error.h"
 #include "common/base/float_bits.h"
 #include "common/scene/reader.h"
@@ -43,6 +45,41 @@ TEST_CASE("GpuRenderer draws films beyond one tile, wide or high", "[gl]") {
       for (std::size_t i = 0; i < a.size(); ++i) differing += sameBits(a[i], b[i]) ? 0 : 1;
       CHECK(differing == 0);
     }
+  }
+}
+
+TEST_CASE("GpuRenderer gives all passes of scenes whose loops the device would end", "[gl]") {
+  Scene scene;
+  scene.materials.emplace_back().albedo = glm::vec3(0.7f);
+  scene.environment.radiance = glm::vec3(1.0f);
+  for (int i = 0; i < 700; ++i) {
+    const float angle = 0.37f * static_cast<float>(i);
+    const glm::vec3 center(std::cos(angle) * 0.05f * static_cast<float>(i % 40),
+                           std::sin(angle) * 0.05f * static_cast<float>(i % 40), -0.01f * static_cast<float>(i));
+    scene.objects.push_back({"ball" + std::to_string(i), SphereShape{center, 0.2f}, 0});
+  }
+  scene.camera.eye = {0.0f, 0.0f, 5.0f};
+  for (const Stage stage : {Stage::fragment, Stage::compute}) {
+    RenderOptions options;
+    options.width = options.height = 16;
+    options.passes = 32;  // 700 tests a ray, some 3 rays a pass: llvmpipe ends loops after 65,535 rounds
+    options.hull = "none";
+    options.stage = stage;
+    const auto flat = std::make_shared<const FlatScene>(flatten(scene, options));
+    std::unique_ptr<Renderer> gpu;
+    try {
+      gpu = makeGpuRenderer(flat, options);
+    } catch (const DeviceError& error) {
+      WARN("skipped: " << error.what());
+      return;
+    }
+    std::vector<float> a(std::size_t{3} * 16 * 16);
+    std::vector<float> b(a.size());
+    gpu->renderFrame(0, options.passes, a);
+    makeCpuRenderer(flat, options)->renderFrame(0, options.passes, b);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) differing += sameBits(a[i], b[i]) ? 0 : 1;
+    CHECK(differing == 0);
   }
 }
 
