@@ -4,23 +4,33 @@
 
 namespace twintrace {
 
-/// What a ray's walk through hulls costs. Hull hits without any hit of the primitives within are false.
-struct HullCounts {
-  std::int32_t hullTests = 0;
-  std::int32_t hullHits = 0;
-  std::int32_t falseHullHits = 0;
-  std::int32_t primitiveTests = 0;
-  std::int32_t nodes = 0;
-  std::int32_t heapPushes = 0;
-  std::int32_t heapOverflows = 0;
+/// What walks through hulls cost. Hull hits without any hit of the primitives within are false.
+template <class Count>
+struct HullCountsOf {
+  Count hullTests = 0;
+  Count hullHits = 0;
+  Count falseHullHits = 0;
+  Count primitiveTests = 0;
+  Count nodes = 0;
+  Count heapPushes = 0;
+  Count heapOverflows = 0;
 
-  friend HullCounts operator+(const HullCounts& a, const HullCounts& b) {
-    return {a.hullTests + b.hullTests,           a.hullHits + b.hullHits,
-            a.falseHullHits + b.falseHullHits,   a.primitiveTests + b.primitiveTests,
-            a.nodes + b.nodes,                   a.heapPushes + b.heapPushes,
-            a.heapOverflows + b.heapOverflows};
+  template <class Other>
+  HullCountsOf& operator+=(const HullCountsOf<Other>& other) {
+    hullTests += other.hullTests;
+    hullHits += other.hullHits;
+    falseHullHits += other.falseHullHits;
+    primitiveTests += other.primitiveTests;
+    nodes += other.nodes;
+    heapPushes += other.heapPushes;
+    heapOverflows += other.heapOverflows;
+    return *this;
   }
-  friend bool operator==(const HullCounts&, const HullCounts&) = default;
+  friend HullCountsOf operator+(HullCountsOf a, const HullCountsOf& b) { return a += b; }
+  friend bool operator==(const HullCountsOf&, const HullCountsOf&) = default;
 };
+
+using HullCounts = HullCountsOf<std::int32_t>;  ///< of one ray
+using HullTotals = HullCountsOf<std::int64_t>;  ///< of all rays of a run
 
 }  // namespace twintrace

@@ -70,15 +70,7 @@ HullFacts factsOf(const FlatScene& scene, const std::string& strategy) {
 
 HullTotals totalsOf(const std::vector<HullCounts>& counts) {
   HullTotals totals;
-  for (const HullCounts& each : counts) {
-    totals.hullTests += each.hullTests;
-    totals.hullHits += each.hullHits;
-    totals.falseHullHits += each.falseHullHits;
-    totals.primitiveTests += each.primitiveTests;
-    totals.nodes += each.nodes;
-    totals.heapPushes += each.heapPushes;
-    totals.heapOverflows += each.heapOverflows;
-  }
+  for (const HullCounts& each : counts) totals += each;
   return totals;
 }
 

@@ -39,17 +39,6 @@ struct HullFacts {
   double volumeRatio = 0.0;  ///< convex hulls; 0 where nothing is contained
 };
 
-/// Sums over all rays.
-struct HullTotals {
-  std::int64_t hullTests = 0;
-  std::int64_t hullHits = 0;
-  std::int64_t falseHullHits = 0;
-  std::int64_t primitiveTests = 0;
-  std::int64_t nodes = 0;
-  std::int64_t heapPushes = 0;
-  std::int64_t heapOverflows = 0;
-};
-
 /// One strategy, ray kind and engine in one scene.
 struct HullRun {
   std::string scene;
@@ -60,7 +49,7 @@ struct HullRun {
   std::size_t rays = 0;
   std::size_t hits = 0;
   std::size_t differing = 0;  ///< rays whose answer is not that of the scene's first strategy
-  HullTotals totals;
+  HullTotals totals;  ///< over all rays
   std::vector<double> seconds;  ///< by repeat, of all rays
   std::string missing;          ///< why it could not run, or empty
 
